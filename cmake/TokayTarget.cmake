@@ -1,0 +1,27 @@
+# Compile options common to all of our own code.
+add_library(tokayOptions INTERFACE)
+target_include_directories(tokayOptions INTERFACE ${CMAKE_SOURCE_DIR}/src ${CMAKE_BINARY_DIR}/src)
+target_compile_options(tokayOptions INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor)
+if(TOKAY_WARNINGS_AS_ERRORS)
+    target_compile_options(tokayOptions INTERFACE -Werror)
+endif()
+if(TOKAY_SANITIZE)
+    target_compile_options(tokayOptions INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+    target_link_options(tokayOptions INTERFACE -fsanitize=address,undefined)
+endif()
+
+# tokay_library(<name> SOURCES <file>... LINK <library>...)
+function(tokay_library name)
+    cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
+    add_library(${name} STATIC ${arg_SOURCES})
+    target_link_libraries(${name} PUBLIC tokayOptions ${arg_LINK})
+endfunction()
+
+# tokay_tests(<label> SOURCES <file>... LINK <library>...)
+# One GoogleTest program a library; each of its tests carries the label.
+function(tokay_tests label)
+    cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
+    add_executable(${label}Tests ${arg_SOURCES})
+    target_link_libraries(${label}Tests PRIVATE ${arg_LINK} GTest::gtest_main)
+    gtest_discover_tests(${label}Tests TEST_PREFIX ${label}. PROPERTIES LABELS ${label} TIMEOUT 300)
+endfunction()

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace tokay {
+
+/// A mistake in what the user gave: the message says what is wrong, its
+/// value, where it stands (file, line, key) and what to change.
+class InputError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// A computation that could not be completed: singular matrix, diverged
+/// iteration, value that is not finite.
+class SolverError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+} // namespace tokay

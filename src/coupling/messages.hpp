@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace tokay::coupling {
+
+/// Terminology
+///   fluid      the flow solver's side: sends forces, receives displacements
+///   structure  the structural solver's side: maps, solves, accelerates, decides
+///   step       one time step; a step has several exchanges
+///   exchange   forces to the structure, displacements back
+///   dimension  2: points and forces have two components, forces are per unit
+///              depth [N/m]; 3: three components, forces in [N]
+
+/// Version of the messages below; both sides must agree.
+constexpr std::uint32_t protocolVersion = 1;
+
+enum class Role : std::uint8_t { fluid, structure };
+
+/// First message of each side.
+struct Hello {
+    std::uint32_t protocol = protocolVersion;
+    Role role = Role::fluid;
+    std::string program;    ///< name and version of the sender, for messages
+    std::string token;      ///< shared secret; empty over a socket pair
+    std::string caseDigest; ///< digest of the case file read (structure), or empty
+};
+
+/// The fluid's side of the interface in its reference configuration.
+struct Interface {
+    std::uint32_t dimension = 3;
+    std::string name;                       ///< of the coupling, for messages
+    std::vector<double> points;             ///< nPoints x dimension, row by row [m]
+    std::vector<std::uint32_t> faceOffsets; ///< nFaces + 1, into facePoints
+    std::vector<std::uint32_t> facePoints;  ///< point numbers, face by face
+    std::vector<double> displacements;      ///< at the start, as points [m]
+    double tolerance = 0;                   ///< that the residual must fall below
+    double startTime = 0;                   ///< [s]
+    double endTime = 0;                     ///< [s]
+};
+
+/// The structure can start: what it will model and how well the two sides fit.
+struct Accepted {
+    std::string report; ///< several lines of text
+};
+
+/// A new time step; answered by the predicted displacements.
+struct BeginStep {
+    std::uint32_t step = 0;
+    double time = 0;   ///< at the end of the step [s]
+    double deltaT = 0; ///< [s]
+};
+
+/// Forces on the faces; answered by displacements.
+struct Forces {
+    bool final = false;       ///< last exchange of the step: accept, do not move on
+    bool write = false;       ///< the fluid writes its fields at this time (with final)
+    double fluidResidual = 0; ///< initial residual of the momentum equation
+    std::vector<double> values; ///< nFaces x dimension [N], per unit depth in 2D [N/m]
+};
+
+enum class State : std::uint8_t { iterate, converged, accepted };
+
+/// Displacements of the interface points for the next exchange.
+struct Displacements {
+    State state = State::iterate;
+    double residual = 1;        ///< converged when below Interface::tolerance
+    std::vector<double> values; ///< nPoints x dimension [m]
+};
+
+/// The sender ends the run in good order.
+struct Goodbye {
+    std::string reason;
+};
+
+/// The sender cannot go on; the receiver reports the text and ends too.
+struct Failure {
+    std::string text;
+};
+
+using Message = std::variant<Hello, Interface, Accepted, BeginStep, Forces,
+                             Displacements, Goodbye, Failure>;
+
+} // namespace tokay::coupling
