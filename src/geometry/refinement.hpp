@@ -1,0 +1,33 @@
+#pragma once
+
+#include "geometry/NurbsSurface.hpp"
+
+namespace tokay::geometry {
+
+/// Refinements change the basis, never the geometry (rational ones included).
+
+/// @param knots  parameters to insert, ascending, each as often as it shall be added
+/// @throws InputError if a knot lies outside the range or gets too multiple.
+NurbsCurve insertKnots(const NurbsCurve& curve, const std::vector<double>& knots);
+
+/// Raises the degree; every knot's multiplicity grows with it, so the
+/// continuity stays.
+/// @throws InputError if by is negative.
+NurbsCurve elevateDegree(const NurbsCurve& curve, int by);
+
+/// Raises the degree to the given one, then cuts every knot span into
+/// nDivisions equal parts (k-refinement).
+/// @throws InputError if the degree is below the curve's or nDivisions below 1.
+NurbsCurve refine(const NurbsCurve& curve, int degree, int nDivisions);
+
+NurbsSurface insertKnots(const NurbsSurface& surface, const std::vector<double>& knotsU,
+                         const std::vector<double>& knotsV);
+
+NurbsSurface elevateDegree(const NurbsSurface& surface, int byU, int byV);
+
+/// As for the curve, in both directions: a surface of one span, as the
+/// primitives make them, gets nDivisionsU x nDivisionsV knot spans.
+NurbsSurface refine(const NurbsSurface& surface, int degreeU, int degreeV, int nDivisionsU,
+                    int nDivisionsV);
+
+} // namespace tokay::geometry

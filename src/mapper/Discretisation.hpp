@@ -1,0 +1,42 @@
+#pragma once
+
+#include "geometry/Points.hpp"
+#include <string>
+#include <vector>
+
+namespace tokay::mapper {
+
+using geometry::Point;
+using geometry::Points;
+
+/// Where a point lies on a discretisation, as a linear combination of its values.
+struct Location {
+    /// Numbers of the values, and the weight of each.
+    std::vector<int> values;
+    Eigen::VectorXd weights;
+    /// Distance from the point to its projection [m].
+    double gap;
+    bool converged;
+    /// Another place is as near.
+    bool ambiguous;
+};
+
+/// One side of an interface: a field on it is given by nValues() numbers
+/// (values of vertices, faces or control points).
+class Discretisation {
+  public:
+    virtual ~Discretisation() = default;
+
+    virtual int nValues() const = 0;
+
+    /// nValues x 3, such that the linear field x has these values.
+    virtual const Points& coordinates() const = 0;
+
+    /// Largest extent, the length to which tolerances are relative [m].
+    virtual double size() const = 0;
+
+    /// Closest place to the point, and its functions there.
+    virtual Location locate(const Point& point) const = 0;
+};
+
+} // namespace tokay::mapper

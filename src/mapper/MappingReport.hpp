@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+
+namespace tokay::mapper {
+
+/// What a mapping found and how well it keeps what it should keep. Errors are
+/// relative; a moment error above rounding is the moment of forces over gaps.
+struct MappingReport {
+    std::string method;
+    /// Destination points.
+    int nPoints = 0;
+    /// Points with no projection within the gap limit.
+    int nUnmatched = 0;
+    /// Points with two projections equally near.
+    int nAmbiguous = 0;
+    /// Share of the destination that is matched, 0 to 1.
+    double coverage = 0;
+    /// Largest distance of a point to its projection [m], and where it is.
+    double largestGap = 0;
+    int worstPoint = -1;
+    /// The largest gap over the size of the interface.
+    double relativeGap = 0;
+    /// Largest deviation of a row sum from 1: the error of a constant.
+    double rowSumError = 0;
+    /// Error of the sum of forces mapped by the transpose.
+    double forceSumError = 0;
+    /// Error of the sum of moments mapped by the transpose.
+    double momentError = 0;
+    /// To build the mapping.
+    double seconds = 0;
+    double bytes = 0;
+
+    /// A few lines for a person.
+    std::string text() const;
+};
+
+} // namespace tokay::mapper
