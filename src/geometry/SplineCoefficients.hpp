@@ -1,0 +1,21 @@
+#pragma once
+
+#include "geometry/KnotVector.hpp"
+
+namespace tokay::geometry {
+
+/// A spline of any number of components, c(xi) = sum of N_i(xi) row i: what
+/// refinement works on. With the identity as rows it gives the refinement operator.
+struct SplineCoefficients {
+    KnotVector knots;
+    /// nBasis x m
+    Eigen::MatrixXd rows;
+};
+
+/// The same spline with knots added (ascending, repeated as often as wanted).
+SplineCoefficients insertKnots(const SplineCoefficients& spline, const std::vector<double>& knots);
+
+/// The same spline with a degree higher by one.
+SplineCoefficients elevateDegree(const SplineCoefficients& spline);
+
+} // namespace tokay::geometry
