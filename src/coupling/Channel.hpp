@@ -1,28 +1,25 @@
 #pragma once
 
+#include "coupling/PeerError.hpp"
 #include "coupling/messages.hpp"
 
 #include <functional>
 #include <memory>
-#include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace tokay::coupling {
-
-/// The peer is gone, talks nonsense, or reported a failure of its own.
-class PeerError : public std::runtime_error {
-  public:
-    using std::runtime_error::runtime_error;
-};
 
 /// One connection to the peer, carrying whole messages in both directions.
 ///
 /// A frame is: magic (4 bytes), protocol version, type, payload length (all
 /// uint32, little-endian), payload. Lengths are checked before anything is
-/// allocated.
+/// allocated. No call raises SIGPIPE.
 class Channel {
   public:
-    /// Takes over a connected stream socket, e.g. one end of a socket pair.
+    /// Takes over a connected stream socket, e.g. one end of a socket pair;
+    /// it is not inherited by programs started later.
+    /// @throws InputError if it is no connected stream socket
     static Channel fromFileDescriptor(int fileDescriptor);
 
     /// Attaches to a listening structure.
@@ -34,13 +31,19 @@ class Channel {
     Channel& operator=(Channel&&) noexcept;
     ~Channel();
 
-    /// @throws PeerError if the peer is gone
+    /// @throws PeerError if the peer is gone, with the peer's own text if it
+    ///         sent a Failure before; InputError if the message is too large
     void send(const Message& message);
+
+    /// Tries to tell the peer something on the way out: gives up after two
+    /// seconds and never throws.
+    /// @return  whether the message was handed over
+    bool trySend(const Message& message) noexcept;
 
     /// Waits for the next message. A silent peer is reported, not given up.
     /// @param waitingFor  completes "waiting for …", e.g. "the fluid's forces, step 12"
-    /// @throws PeerError at end of stream, on a frame that is not ours, and
-    ///         with the peer's own text if the message is a Failure
+    /// @throws PeerError at end of stream or on a frame that is not ours,
+    ///         PeerFailure with the peer's own text if the message is a Failure
     Message receive(const std::string& waitingFor);
 
     /// As receive, and the message must be of one type.
@@ -54,10 +57,19 @@ class Channel {
         throwUnexpected(message, waitingFor);
     }
 
-    /// Called with one line of text each time the peer has been silent for
-    /// another interval while this side waits.
-    void reportSilence(double intervalSeconds,
-                       std::function<void(const std::string&)> report);
+    /// Called with one line of text ("waiting for the fluid's forces since
+    /// 60 s, step 12") each time the peer has been silent for another interval
+    /// while this side waits. An exception thrown by it ends the wait and
+    /// closes the channel.
+    /// @param intervalSeconds  positive, or 0: never
+    void reportSilence(double intervalSeconds, std::function<void(const std::string&)> report);
+
+    /// "the fluid", "the structure", or "the peer" before the handshake.
+    const std::string& peer() const;
+
+    /// Names the peer in messages from now on, and allows it frames of any
+    /// type's full size; shakeHands calls it.
+    void trust(const std::string& peer);
 
   private:
     struct Implementation;
@@ -66,25 +78,5 @@ class Channel {
 
     std::unique_ptr<Implementation> implementation_;
 };
-
-/// Waits for a fluid to attach (structure side).
-/// @param address  "unix:/path" or "tcp://host:port" (port 0: any free one)
-class Listener {
-  public:
-    explicit Listener(const std::string& address);
-    ~Listener();
-    /// The address that a peer can connect to, with the actual port.
-    std::string address() const;
-    Channel accept();
-
-  private:
-    struct Implementation;
-    std::unique_ptr<Implementation> implementation_;
-};
-
-/// Exchanges Hello messages and checks protocol version, role and token.
-/// @return  the peer's Hello
-/// @throws  PeerError that names both versions, or the wrong token
-Hello shakeHands(Channel& channel, const Hello& own);
 
 } // namespace tokay::coupling

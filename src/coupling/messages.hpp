@@ -56,9 +56,9 @@ struct BeginStep {
 
 /// Forces on the faces; answered by displacements.
 struct Forces {
-    bool final = false;       ///< last exchange of the step: accept, do not move on
-    bool write = false;       ///< the fluid writes its fields at this time (with final)
-    double fluidResidual = 0; ///< initial residual of the momentum equation
+    bool final = false;         ///< last exchange of the step: accept, do not move on
+    bool write = false;         ///< the fluid writes its fields at this time (with final)
+    double fluidResidual = 0;   ///< initial residual of the momentum equation
     std::vector<double> values; ///< nFaces x dimension [N], per unit depth in 2D [N/m]
 };
 
@@ -81,7 +81,7 @@ struct Failure {
     std::string text;
 };
 
-using Message = std::variant<Hello, Interface, Accepted, BeginStep, Forces,
-                             Displacements, Goodbye, Failure>;
+using Message =
+    std::variant<Hello, Interface, Accepted, BeginStep, Forces, Displacements, Goodbye, Failure>;
 
 } // namespace tokay::coupling
