@@ -1,0 +1,21 @@
+#pragma once
+
+#include "coupling/Accelerator.hpp"
+
+namespace tokay::coupling {
+
+/// x + relaxation (xTilde - x)
+class ConstantRelaxation : public Accelerator {
+  public:
+    explicit ConstantRelaxation(double relaxation) : relaxation_(relaxation) {}
+
+    Eigen::VectorXd next(const Eigen::VectorXd& x, const Eigen::VectorXd& xTilde,
+                         double /*fluidResidual*/) override {
+        return x + relaxation_ * (xTilde - x);
+    }
+
+  private:
+    double relaxation_;
+};
+
+} // namespace tokay::coupling

@@ -1,0 +1,71 @@
+#include "coupling/ConvergenceCriteria.hpp"
+
+#include "common/errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace tokay::coupling {
+namespace {
+
+double rootMeanSquare(const Eigen::VectorXd& values) {
+    return values.size() == 0 ? 0 : values.norm() / std::sqrt(double(values.size()));
+}
+
+double ratio(double norm, double allowed) {
+    return norm == 0 ? 0 : norm / allowed;
+}
+
+void requireFinite(const Eigen::VectorXd& values, const char* name) {
+    for (Eigen::Index i = 0; i < values.size(); ++i) {
+        if (!std::isfinite(values[i])) {
+            throw SolverError(std::string("component ") + std::to_string(i) + " of the " + name +
+                              " is " + std::to_string(values[i]));
+        }
+    }
+}
+
+} // namespace
+
+ConvergenceCriteria::ConvergenceCriteria(const CouplingOptions& options, double tolerance)
+    : tolerance_(tolerance), absoluteDisplacement_(options.absoluteDisplacement),
+      relativeForce_(options.relativeForce), absoluteForce_(options.absoluteForce) {
+    if (!(tolerance > 0 && tolerance < 1)) {
+        throw InputError("The coupling tolerance is " + std::to_string(tolerance) +
+                         ": it must be above 0 and below 1. It is the fluid's residualControl "
+                         "for the structure.");
+    }
+}
+
+double ConvergenceCriteria::residual(const Eigen::VectorXd& x, const Eigen::VectorXd& xTilde,
+                                     const Eigen::VectorXd& forces) {
+    requireFinite(forces, "fluid's force");
+    return std::max(displacementResidual(x, xTilde), tolerance_ * forceRatio(forces));
+}
+
+double ConvergenceCriteria::displacementResidual(const Eigen::VectorXd& x,
+                                                 const Eigen::VectorXd& xTilde) const {
+    requireFinite(xTilde, "structure's displacement");
+    const double scale = std::max(rootMeanSquare(x), rootMeanSquare(xTilde));
+    return tolerance_ *
+           ratio(rootMeanSquare(xTilde - x), std::max(tolerance_ * scale, absoluteDisplacement_));
+}
+
+double ConvergenceCriteria::forceRatio(const Eigen::VectorXd& forces) {
+    if (relativeForce_ == 0 && absoluteForce_ == 0) {
+        return 0;
+    }
+    if (forces.size() == 0) {
+        throw SolverError("The criterion on the force needs the forces of each exchange.");
+    }
+    double result = 1 / tolerance_;
+    if (previousForces_.size() == forces.size()) {
+        result = ratio(rootMeanSquare(forces - previousForces_),
+                       std::max(relativeForce_ * rootMeanSquare(forces), absoluteForce_));
+    }
+    previousForces_ = forces;
+    return result;
+}
+
+} // namespace tokay::coupling

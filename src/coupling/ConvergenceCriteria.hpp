@@ -1,0 +1,46 @@
+#pragma once
+
+#include "coupling/CouplingOptions.hpp"
+
+#include <Eigen/Core>
+
+namespace tokay::coupling {
+
+/// Whether fluid and structure agree: each criterion i is a norm over its
+/// allowed value, ratio_i = norm_i / max(relative_i |scale_i|, absolute_i), and
+/// all are folded into one residual = tolerance x largest ratio, so that all
+/// hold if and only if it is below the tolerance.
+///
+/// Displacement: norm of xTilde - x against x and xTilde, the tolerance being
+/// the relative limit. Force, if asked for: norm of the change since the last
+/// exchange, against the force; unknown, so not met, in the first exchange of
+/// a step.
+class ConvergenceCriteria {
+  public:
+    /// @throws InputError unless 0 < tolerance < 1
+    ConvergenceCriteria(const CouplingOptions& options, double tolerance);
+
+    void beginTimeStep() { previousForces_.resize(0); }
+
+    /// @param forces  of this exchange; may be empty without force criteria
+    /// @throws SolverError if forces are needed and not given, or if a value is
+    ///         not finite
+    double residual(const Eigen::VectorXd& x, const Eigen::VectorXd& xTilde,
+                    const Eigen::VectorXd& forces);
+
+    /// The criterion on the displacement alone.
+    double displacementResidual(const Eigen::VectorXd& x, const Eigen::VectorXd& xTilde) const;
+
+    double tolerance() const { return tolerance_; }
+
+  private:
+    double forceRatio(const Eigen::VectorXd& forces);
+
+    double tolerance_;
+    double absoluteDisplacement_;
+    double relativeForce_;
+    double absoluteForce_;
+    Eigen::VectorXd previousForces_;
+};
+
+} // namespace tokay::coupling

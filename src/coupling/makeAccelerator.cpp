@@ -1,0 +1,24 @@
+#include "coupling/Accelerator.hpp"
+#include "coupling/Aitken.hpp"
+#include "coupling/ConstantRelaxation.hpp"
+#include "coupling/CouplingOptions.hpp"
+#include "coupling/IqnIls.hpp"
+
+namespace tokay::coupling {
+
+std::unique_ptr<Accelerator> makeAccelerator(const CouplingOptions& options) {
+    requireValid(options);
+    switch (options.acceleration) {
+    case Acceleration::explicitCoupling:
+        return nullptr;
+    case Acceleration::constant:
+        return std::make_unique<ConstantRelaxation>(options.relaxation);
+    case Acceleration::aitken:
+        return std::make_unique<Aitken>(options);
+    case Acceleration::iqnIls:
+        return std::make_unique<IqnIls>(options);
+    }
+    return nullptr;
+}
+
+} // namespace tokay::coupling
