@@ -41,7 +41,7 @@ class BoxTree {
         /// Leaf: items_[begin, end). Inner node: its children are `left` and left + 1.
         int begin, end, left;
     };
-    void split(int node, const std::vector<Box>& boxes);
+    void split(int node);
 
     std::vector<Node> nodes_;
     std::vector<int> items_;

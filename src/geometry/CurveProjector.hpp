@@ -2,6 +2,7 @@
 
 #include "geometry/BoxTree.hpp"
 #include "geometry/NurbsCurve.hpp"
+#include <memory>
 
 namespace tokay::geometry {
 
@@ -26,17 +27,12 @@ class CurveProjector {
     CurveProjection closest(const Point& point) const;
 
   private:
-    struct Piece {
-        double from, to;
-    };
-    CurveProjection closestIn(const Piece& piece, const Point& point) const;
-
-    /// Copy, moved to its centre: far from the origin no digits are lost.
-    NurbsCurve curve_;
+    /// Bezier pieces, nearly flat, moved to the centre: so one-sided derivatives
+    /// are right at C0 knots, and far from the origin no digits are lost.
+    std::vector<NurbsCurve> pieces_;
     Point centre_;
     double size_;
-    std::vector<Piece> pieces_;
-    BoxTree tree_;
+    std::unique_ptr<BoxTree> tree_;
 };
 
 } // namespace tokay::geometry

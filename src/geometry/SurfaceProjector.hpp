@@ -2,6 +2,7 @@
 
 #include "geometry/BoxTree.hpp"
 #include "geometry/NurbsSurface.hpp"
+#include <memory>
 
 namespace tokay::geometry {
 
@@ -25,16 +26,10 @@ class SurfaceProjector {
     SurfaceProjection closest(const Point& point) const;
 
   private:
-    struct Piece {
-        Eigen::Array2d from, to;
-    };
-    SurfaceProjection closestIn(const Piece& piece, const Point& point) const;
-
-    NurbsSurface surface_;
+    std::vector<NurbsSurface> pieces_;
     Point centre_;
     double size_;
-    std::vector<Piece> pieces_;
-    BoxTree tree_;
+    std::unique_ptr<BoxTree> tree_;
 };
 
 } // namespace tokay::geometry

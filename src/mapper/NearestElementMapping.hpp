@@ -2,11 +2,9 @@
 
 #include "mapper/Discretisation.hpp"
 #include "mapper/MappingReport.hpp"
-#include <Eigen/SparseCore>
+#include "mapper/SparseMatrix.hpp"
 
 namespace tokay::mapper {
-
-using SparseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 struct GapLimit {
     /// Largest gap allowed, relative to the size of the interface.

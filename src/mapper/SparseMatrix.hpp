@@ -1,0 +1,15 @@
+#pragma once
+
+#include <Eigen/SparseCore>
+
+namespace tokay::mapper {
+
+using SparseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+/// Storage of the matrix [byte].
+inline double bytesOf(const SparseMatrix& matrix) {
+    return static_cast<double>(matrix.nonZeros()) * (sizeof(double) + sizeof(int)) +
+           static_cast<double>(matrix.outerSize() + 1) * sizeof(int);
+}
+
+} // namespace tokay::mapper
