@@ -1,0 +1,542 @@
+/*---------------------------------------------------------------------------*\
+    Tokay: OpenFOAM coupled to an isogeometric structure
+-------------------------------------------------------------------------------
+License
+    This file is part of Tokay, which is free software: you can redistribute
+    it and/or modify it under the terms of the GNU General Public License as
+    published by the Free Software Foundation, either version 3 of the
+    License, or (at your option) any later version. See the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "couplingSession.H"
+#include "structureDisplacementPointPatchVectorField.H"
+#include "movingWallVelocityFvPatchVectorField.H"
+#include "Time.H"
+#include "coupling/allFinite.hpp"
+
+#include <chrono>
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(couplingSession, 0);
+}
+
+const Foam::Enum<Foam::couplingSession::unconverged>
+Foam::couplingSession::unconvergedNames
+({
+    {unconverged::abort, "abort"},
+    {unconverged::warn, "warn"}
+});
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Wall clock [s]
+double wallClock()
+{
+    return std::chrono::duration<double>
+    (
+        std::chrono::steady_clock::now().time_since_epoch()
+    ).count();
+}
+
+} // End anonymous namespace
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::labelList Foam::couplingSession::selectPatches
+(
+    const fvMesh& mesh,
+    const dictionary& dict
+)
+{
+    const wordRes names(dict.get<wordRes>("patches"));
+    const polyBoundaryMesh& boundary = mesh.boundaryMesh();
+
+    for (const wordRe& name : names)
+    {
+        if (boundary.indices(name).empty())
+        {
+            FatalIOErrorInFunction(dict)
+                << "no patch matches '" << name << "' of the entry 'patches'"
+                << nl << "    The mesh has: " << flatOutput(boundary.names())
+                << exit(FatalIOError);
+        }
+    }
+
+    const labelList patches(boundary.patchSet(names).sortedToc());
+    for (const label patchi : patches)
+    {
+        if (boundary[patchi].coupled())
+        {
+            FatalIOErrorInFunction(dict)
+                << "patch '" << boundary[patchi].name() << "' of the entry "
+                << "'patches' is of type " << boundary[patchi].type()
+                << ": a structure needs a wall" << exit(FatalIOError);
+        }
+    }
+    return patches;
+}
+
+
+Foam::scalar Foam::couplingSession::readTolerance() const
+{
+    if (explicit_)
+    {
+        return 1;
+    }
+
+    const dictionary& controls = pimple_.dict();
+    if (!controls.lookupOrDefault("moveMeshOuterCorrectors", false))
+    {
+        FatalIOErrorInFunction(controls)
+            << "'moveMeshOuterCorrectors' is off: the structure could not "
+            << "answer within a time step" << nl
+            << "    add 'moveMeshOuterCorrectors yes;'" << exit(FatalIOError);
+    }
+
+    const word& key = residualField_->name();
+    const dictionary& residualControl =
+        controls.subOrEmptyDict("residualControl");
+    const dictionary* control = residualControl.findDict(key, keyType::REGEX);
+    if (!control)
+    {
+        FatalIOErrorInFunction(controls)
+            << "residualControl has no entry '" << key << "': the time step "
+            << "would end without the structure having converged" << nl
+            << "    add '" << key << " { tolerance 1e-4; relTol 0; }', or set "
+            << "'nOuterCorrectors 1' for explicit coupling"
+            << exit(FatalIOError);
+    }
+    const scalar tolerance = control->get<scalar>("tolerance");
+    if (tolerance <= 0 || tolerance >= 1)
+    {
+        FatalIOErrorInFunction(*control)
+            << "the tolerance is " << tolerance
+            << ": it must lie between 0 and 1" << exit(FatalIOError);
+    }
+    if (control->lookupOrDefault<scalar>("relTol", 0) > 0)
+    {
+        FatalIOErrorInFunction(*control)
+            << "'relTol' is not 0: the coupling residual is relative already, "
+            << "and a step could end unconverged" << exit(FatalIOError);
+    }
+    return tolerance;
+}
+
+
+const Foam::pointVectorField& Foam::couplingSession::pointDisplacement() const
+{
+    if (!mesh_.foundObject<pointVectorField>("pointDisplacement"))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "no field 'pointDisplacement': the mesh does not move by "
+            << "displacement" << nl
+            << "    use a displacement motion solver, such as "
+            << "displacementLaplacian, in constant/dynamicMeshDict"
+            << exit(FatalIOError);
+    }
+    const pointVectorField& displacement =
+        mesh_.lookupObject<pointVectorField>("pointDisplacement");
+    const volVectorField& U =
+        mesh_.lookupObject<volVectorField>(force_.UName());
+
+    for (const label patchi : interface_.patches())
+    {
+        const word& patchName = mesh_.boundary()[patchi].name();
+        const auto& condition = displacement.boundaryField()[patchi];
+        if (!isA<structureDisplacementPointPatchVectorField>(condition))
+        {
+            FatalIOErrorInFunction(dict_)
+                << "pointDisplacement has '" << condition.type()
+                << "' on the coupled patch '" << patchName << "'" << nl
+                << "    it must be '"
+                << structureDisplacementPointPatchVectorField::typeName
+                << "'" << exit(FatalIOError);
+        }
+        if
+        (
+            !isA<movingWallVelocityFvPatchVectorField>
+            (
+                U.boundaryField()[patchi]
+            )
+        )
+        {
+            IOWarningInFunction(dict_)
+                << force_.UName() << " has '"
+                << U.boundaryField()[patchi].type()
+                << "' on the coupled patch '" << patchName
+                << "': a wall that moves with the structure has "
+                << "'movingWallVelocity'" << endl;
+        }
+    }
+    return displacement;
+}
+
+
+bool Foam::couplingSession::finalCorrector() const
+{
+    return mesh_.data::lookupOrDefault("finalIteration", false);
+}
+
+
+Foam::scalar Foam::couplingSession::momentumResidual() const
+{
+    List<SolverPerformance<vector>> performance;
+    const dictionary& all = mesh_.solverPerformanceDict();
+    if
+    (
+        !all.readIfPresent(force_.UName(), performance)
+     || performance.empty()
+    )
+    {
+        return 0;   // without a momentum predictor there is none
+    }
+    return cmptMax(performance.last().initialResidual());
+}
+
+
+bool Foam::couplingSession::loopConverged() const
+{
+    const dictionary* control =
+        pimple_.dict().subOrEmptyDict("residualControl").findDict
+        (
+            force_.UName(),
+            keyType::REGEX
+        );
+    return
+        current_.converged
+     && (
+            !control
+         || current_.fluidResidual < control->get<scalar>("tolerance")
+        );
+}
+
+
+void Foam::couplingSession::enterResidual(const scalar residual)
+{
+    const word& name = residualField_->name();
+    mesh_.data::setSolverPerformance
+    (
+        name,
+        SolverPerformance<scalar>
+        (
+            "coupling",
+            name,
+            residual,
+            residual,
+            1,
+            false,
+            false
+        )
+    );
+}
+
+
+void Foam::couplingSession::beginTimeStep()
+{
+    const Time& runTime = mesh_.time();
+
+    stepStart_ = wallClock();
+    current_ = statistics();
+    accepted_ = false;
+    timeIndex_ = runTime.timeIndex();
+
+    tokay::coupling::BeginStep message;
+    message.step = timeIndex_ - runTime.startTimeIndex();
+    message.time = runTime.value();
+    message.deltaT = runTime.deltaTValue();
+
+    const tokay::coupling::Displacements answer
+    (
+        structure_.exchange
+        (
+            message,
+            "the structure's predicted displacements, step "
+          + std::to_string(message.step)
+        )
+    );
+    displacement_ = interface_.distribute(answer.values);
+    nextDisplacement_ = displacement_;
+    current_.exchangeSeconds += wallClock() - stepStart_;
+}
+
+
+void Foam::couplingSession::checkForces(const vectorField& forces)
+{
+    string error;
+    label facei = 0;
+    for (const label patchi : interface_.patches())
+    {
+        for (const point& centre : mesh_.boundary()[patchi].Cf())
+        {
+            const vector& force = forces[facei++];
+            if (error.empty() && !std::isfinite(force.x() + force.y() + force.z()))
+            {
+                OStringStream os;
+                os  << "the fluid's force is not finite: " << force
+                    << " N on patch '" << mesh_.boundary()[patchi].name()
+                    << "' at " << centre << ", time "
+                    << mesh_.time().timeName()
+                    << " s. The flow has diverged: reduce deltaT, or check "
+                    << "the mesh near that place";
+                error = os.str();
+            }
+        }
+    }
+
+    // One of the ranks' messages, known to all
+    List<string> errors(Pstream::nProcs());
+    errors[Pstream::myProcNo()] = error;
+    Pstream::gatherList(errors);
+    Pstream::scatterList(errors);
+    for (const string& text : errors)
+    {
+        if (!text.empty())
+        {
+            structure_.fail(text);
+        }
+    }
+}
+
+
+void Foam::couplingSession::exchange(const bool final)
+{
+    const scalar start = wallClock();
+    const vectorField forces(force_(interface_.patches()));
+    checkForces(forces);
+
+    tokay::coupling::Forces message;
+    message.final = final;
+    message.write = final && mesh_.time().writeTime();
+    message.fluidResidual = current_.fluidResidual;
+    message.values = interface_.collect(forces);
+    const scalar sent = wallClock();
+
+    const tokay::coupling::Displacements answer
+    (
+        structure_.exchange
+        (
+            message,
+            "the structure's displacements, step "
+          + std::to_string(timeIndex_ - mesh_.time().startTimeIndex())
+          + ", corrector " + std::to_string(corrector_)
+        )
+    );
+    nextDisplacement_ = interface_.distribute(answer.values);
+
+    scalarList state(2);
+    state[0] = answer.residual;
+    state[1] = answer.state != tokay::coupling::State::iterate;
+    Pstream::scatter(state);
+    if (!final)
+    {
+        current_.residual = state[0];
+        current_.converged = state[1] > 0;
+    }
+    ++current_.exchanges;
+    current_.forceSeconds += sent - start;
+    current_.exchangeSeconds += wallClock() - sent;
+}
+
+
+void Foam::couplingSession::handleUnconverged()
+{
+    OStringStream os;
+    os  << "time " << mesh_.time().timeName() << " s did not converge in "
+        << pimple_.nCorrPIMPLE() << " correctors: coupling residual "
+        << current_.residual << " (tolerance " << tolerance_
+        << "), momentum residual " << current_.fluidResidual;
+
+    if (onUnconverged_ == unconverged::warn)
+    {
+        WarningInFunction << os.str().c_str() << nl
+            << "    accepted all the same, by 'onUnconverged warn'" << endl;
+        return;
+    }
+    os  << ". Raise nOuterCorrectors, reduce deltaT, choose another "
+        << "acceleration in the structure's case file, or accept such steps "
+        << "by 'onUnconverged warn'";
+    structure_.fail(os.str());
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::couplingSession::couplingSession
+(
+    const word& name,
+    const fvMesh& mesh,
+    const dictionary& dict
+)
+:
+    regIOobject
+    (
+        IOobject
+        (
+            registryName(name),
+            mesh.time().timeName(),
+            mesh,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE
+        )
+    ),
+    mesh_(mesh),
+    dict_(dict),
+    pimple_(mesh.lookupObject<pimpleControl>("solutionControl")),
+    onUnconverged_
+    (
+        unconvergedNames.getOrDefault
+        (
+            "onUnconverged", dict, unconverged::abort
+        )
+    ),
+    explicit_(pimple_.nCorrPIMPLE() == 1),
+    tolerance_(1),
+    residualField_
+    (
+        new volScalarField
+        (
+            IOobject
+            (
+                name,
+                mesh.time().timeName(),
+                mesh,
+                IOobject::NO_READ,
+                IOobject::NO_WRITE
+            ),
+            mesh,
+            dimensionedScalar(dimless, Zero)
+        )
+    ),
+    interface_(mesh, selectPatches(mesh, dict), dict),
+    force_(mesh, dict),
+    structure_(dict, mesh.time()),
+    timeIndex_(-1),
+    corrector_(0),
+    accepted_(false),
+    stepStart_(0)
+{
+    tolerance_ = readTolerance();
+
+    tokay::coupling::Interface message;
+    message.name = name;
+    message.tolerance = tolerance_;
+    message.startTime = mesh.time().startTime().value();
+    message.endTime = mesh.time().endTime().value();
+    interface_.describe(pointDisplacement(), message);
+
+    Info<< "    " << (explicit_ ? "explicit coupling, one exchange a step"
+                                : "strong coupling, tolerance ");
+    if (!explicit_)
+    {
+        Info<< tolerance_;
+    }
+    Info<< endl;
+    Info<< structure_.start(message).c_str() << endl;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::couplingSession* Foam::couplingSession::find
+(
+    const fvMesh& mesh,
+    const label patchi
+)
+{
+    for (const word& name : mesh.sortedNames<couplingSession>())
+    {
+        couplingSession& session = mesh.lookupObjectRef<couplingSession>(name);
+        if (session.interface_.patches().found(patchi))
+        {
+            return &session;
+        }
+    }
+    return nullptr;
+}
+
+
+const Foam::vectorField& Foam::couplingSession::displacement
+(
+    const label patchi
+)
+{
+    if (timeIndex_ != mesh_.time().timeIndex())
+    {
+        beginTimeStep();
+    }
+    else if (corrector_ != pimple_.corr() && !finalCorrector())
+    {
+        displacement_ = nextDisplacement_;
+    }
+    corrector_ = pimple_.corr();
+
+    return displacement_[interface_.patches().find(patchi)];
+}
+
+
+void Foam::couplingSession::endCorrector()
+{
+    if
+    (
+        timeIndex_ != mesh_.time().timeIndex()
+     || corrector_ != pimple_.corr()
+    )
+    {
+        structure_.fail
+        (
+            "the mesh was not moved in this corrector, so the structure's "
+            "displacement did not reach the fluid. Check constant/"
+            "dynamicMeshDict and 'moveMeshOuterCorrectors yes;'"
+        );
+    }
+
+    current_.correctors = corrector_;
+    current_.fluidResidual = momentumResidual();
+
+    if (finalCorrector())
+    {
+        const bool ranOut = corrector_ == pimple_.nCorrPIMPLE();
+        if (!explicit_ && ranOut && !loopConverged())
+        {
+            handleUnconverged();
+        }
+        exchange(true);
+        accepted_ = true;
+    }
+    else
+    {
+        exchange(false);
+        enterResidual(current_.residual);
+    }
+}
+
+
+Foam::couplingSession::statistics Foam::couplingSession::endTimeStep()
+{
+    if (!accepted_)
+    {
+        structure_.fail
+        (
+            "the time step has ended without its final corrector, so the "
+            "structure has not accepted it: is 'solveFlow' on?"
+        );
+    }
+    current_.stepSeconds = wallClock() - stepStart_;
+    return current_;
+}
+
+
+void Foam::couplingSession::close(const string& reason)
+{
+    structure_.close(reason);
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,126 @@
+/*---------------------------------------------------------------------------*\
+    Tokay: OpenFOAM coupled to an isogeometric structure
+-------------------------------------------------------------------------------
+License
+    This file is part of Tokay, which is free software: you can redistribute
+    it and/or modify it under the terms of the GNU General Public License as
+    published by the Free Software Foundation, either version 3 of the
+    License, or (at your option) any later version. See the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "interfaceForce.H"
+#include "fvcGrad.H"
+#include "turbulentTransportModel.H"
+#include "turbulentFluidThermoModel.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::tmp<Foam::scalarField> Foam::interfaceForce::viscosity
+(
+    const label patchi
+) const
+{
+    typedef compressible::turbulenceModel compressibleModel;
+    typedef incompressible::turbulenceModel incompressibleModel;
+
+    if
+    (
+        mesh_.foundObject<compressibleModel>(compressibleModel::propertiesName)
+    )
+    {
+        return mesh_.lookupObject<compressibleModel>
+        (
+            compressibleModel::propertiesName
+        ).muEff(patchi);
+    }
+
+    return rho_*mesh_.lookupObject<incompressibleModel>
+    (
+        incompressibleModel::propertiesName
+    ).nuEff(patchi);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::interfaceForce::interfaceForce
+(
+    const fvMesh& mesh,
+    const dictionary& dict
+)
+:
+    mesh_(mesh),
+    pName_(dict.lookupOrDefault<word>("p", "p")),
+    UName_(dict.lookupOrDefault<word>("U", "U")),
+    rho_(1),
+    pRef_(dict.lookupOrDefault<scalar>("pRef", 0)),
+    viscous_(dict.lookupOrDefault("viscous", true))
+{
+    if
+    (
+        !mesh.foundObject<volScalarField>(pName_)
+     || !mesh.foundObject<volVectorField>(UName_)
+    )
+    {
+        FatalIOErrorInFunction(dict)
+            << "no pressure field '" << pName_ << "' or no velocity field '"
+            << UName_ << "' in this solver; name them by the entries 'p' and "
+            << "'U'. There are: " << mesh.sortedNames<volScalarField>() << ' '
+            << mesh.sortedNames<volVectorField>() << exit(FatalIOError);
+    }
+
+    if
+    (
+        mesh.lookupObject<volScalarField>(pName_).dimensions()
+     != dimPressure
+    )
+    {
+        rho_ = dict.get<scalar>("rho");
+        if (rho_ <= 0)
+        {
+            FatalIOErrorInFunction(dict)
+                << "the density 'rho' is " << rho_
+                << " kg/m3: it must be positive" << exit(FatalIOError);
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::vectorField Foam::interfaceForce::operator()
+(
+    const labelList& patches
+) const
+{
+    const volScalarField& p = mesh_.lookupObject<volScalarField>(pName_);
+
+    tmp<volTensorField> gradU;
+    if (viscous_)
+    {
+        gradU = fvc::grad(mesh_.lookupObject<volVectorField>(UName_));
+    }
+
+    DynamicList<vector> forces;
+    for (const label patchi : patches)
+    {
+        const vectorField& Sf = mesh_.Sf().boundaryField()[patchi];
+        vectorField force(Sf*(rho_*p.boundaryField()[patchi] - pRef_));
+        if (viscous_)
+        {
+            force -=
+                Sf
+              & (
+                    viscosity(patchi)
+                   *dev(twoSymm(gradU().boundaryField()[patchi]))
+                );
+        }
+        forces.append(force);
+    }
+
+    return vectorField(std::move(forces));
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,306 @@
+/*---------------------------------------------------------------------------*\
+    Tokay: OpenFOAM coupled to an isogeometric structure
+-------------------------------------------------------------------------------
+License
+    This file is part of Tokay, which is free software: you can redistribute
+    it and/or modify it under the terms of the GNU General Public License as
+    published by the Free Software Foundation, either version 3 of the
+    License, or (at your option) any later version. See the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "structureConnection.H"
+#include "Time.H"
+#include "Pstream.H"
+#include "OSspecific.H"
+#include "coupling/shakeHands.hpp"
+#include "common/errors.hpp"
+#include "common/version.hpp"
+
+#include <fstream>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace tokay::coupling;
+
+//- How long a structure may take to end by itself, in seconds
+constexpr double patience = 10;
+
+//- The first line of a file
+std::string readToken(const std::string& fileName)
+{
+    std::ifstream file(fileName);
+    std::string token;
+    if (!std::getline(file, token) || token.empty())
+    {
+        throw tokay::InputError
+        (
+            "the entry 'tokenFile' names '" + fileName
+          + "', which cannot be read or is empty"
+        );
+    }
+    return token;
+}
+
+//- Path of a file that is named from the case folder
+Foam::fileName fromCase(const Foam::fileName& name, const Foam::Time& runTime)
+{
+    Foam::fileName path(name);
+    path.expand();
+    if (!path.isAbsolute())
+    {
+        path = runTime.globalPath()/path;
+    }
+    path.clean();
+    return path;
+}
+
+} // End anonymous namespace
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::structureConnection::launch
+(
+    const dictionary& dict,
+    const Time& runTime
+)
+{
+    const fileName caseFile(fromCase(dict.get<fileName>("case"), runTime));
+    const fileName log
+    (
+        dict.found("log")
+      ? fromCase(dict.get<fileName>("log"), runTime)
+      : caseFile.path()/"log.igaStructure"
+    );
+
+    std::vector<std::string> arguments{"run", caseFile};
+    for
+    (
+        const string& word
+      : dict.lookupOrDefault<List<string>>("arguments", List<string>())
+    )
+    {
+        arguments.push_back(word);
+    }
+
+    const string program
+    (
+        dict.lookupOrDefault<string>("program", "igaStructure")
+    );
+
+    onMaster
+    (
+        [&]
+        {
+            process_.reset(new structureProcess(program, arguments, log));
+            channel_.reset
+            (
+                new Channel
+                (
+                    Channel::fromFileDescriptor(process_->takeFileDescriptor())
+                )
+            );
+        }
+    );
+    Info<< "    launched " << program.c_str() << ", log " << log << endl;
+}
+
+
+void Foam::structureConnection::connect(const dictionary& dict)
+{
+    const string address(dict.get<string>("connect"));
+    onMaster
+    (
+        [&] { channel_.reset(new Channel(Channel::connect(address))); }
+    );
+    Info<< "    connected to " << address.c_str() << endl;
+}
+
+
+void Foam::structureConnection::onMaster(const std::function<void()>& action)
+{
+    string error;
+    if (Pstream::master())
+    {
+        try
+        {
+            action();
+        }
+        catch (const PeerError& peerError)
+        {
+            error = peerError.what();
+            channel_.reset();
+            const std::string how(process_ ? process_->end(patience) : "");
+            if (!how.empty())
+            {
+                error += ".\n    " + how;
+            }
+        }
+        catch (const std::exception& ownError)
+        {
+            error = ownError.what();
+        }
+    }
+    Pstream::scatter(error);
+
+    if (!error.empty())
+    {
+        fail(error);
+    }
+}
+
+
+void Foam::structureConnection::raise(const std::string& text) const
+{
+    if (starting_)
+    {
+        FatalIOErrorInFunction(dict_) << text.c_str() << exit(FatalIOError);
+    }
+    FatalErrorInFunction << text.c_str() << exit(FatalError);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::structureConnection::structureConnection
+(
+    const dictionary& dict,
+    const Time& runTime
+)
+:
+    dict_(dict),
+    starting_(true)
+{
+    const dictionary& structureDict = dict.subDict("structure");
+
+    if (structureDict.found("connect"))
+    {
+        if (structureDict.lookupOrDefault("launch", false))
+        {
+            FatalIOErrorInFunction(structureDict)
+                << "'launch yes' and 'connect' exclude each other: "
+                << "remove one of the two" << exit(FatalIOError);
+        }
+        connect(structureDict);
+    }
+    else
+    {
+        launch(structureDict, runTime);
+    }
+
+    const scalar silence =
+        structureDict.lookupOrDefault<scalar>("silenceInterval", 60);
+
+    onMaster
+    (
+        [&]
+        {
+            channel_->reportSilence
+            (
+                silence,
+                [](const std::string& line)
+                {
+                    Info<< "structureCoupling: " << line.c_str() << endl;
+                }
+            );
+
+            Hello own;
+            own.role = Role::fluid;
+            own.program = std::string("Tokay ") + tokay::version;
+            if (structureDict.found("tokenFile"))
+            {
+                own.token = readToken
+                (
+                    fromCase(structureDict.get<fileName>("tokenFile"), runTime)
+                );
+            }
+            const Hello peer(shakeHands(*channel_, own));
+            Info<< "    structure: " << peer.program.c_str() << ", case digest "
+                << peer.caseDigest.c_str() << endl;
+        }
+    );
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+std::string Foam::structureConnection::start(const Interface& interface)
+{
+    std::string report;
+    onMaster
+    (
+        [&]
+        {
+            channel_->send(interface);
+            report = channel_->receive<Accepted>
+            (
+                "the structure to accept the interface"
+            ).report;
+        }
+    );
+    starting_ = false;
+    return report;
+}
+
+
+tokay::coupling::Displacements Foam::structureConnection::exchange
+(
+    const Message& message,
+    const std::string& waitingFor
+)
+{
+    Displacements displacements;
+    onMaster
+    (
+        [&]
+        {
+            channel_->send(message);
+            displacements = channel_->receive<Displacements>(waitingFor);
+        }
+    );
+    return displacements;
+}
+
+
+void Foam::structureConnection::fail(const std::string& text)
+{
+    if (channel_)
+    {
+        try
+        {
+            channel_->send(Failure{text});
+        }
+        catch (const PeerError&)
+        {
+            // It is gone already: what counts is our own message, below
+        }
+        channel_.reset();
+    }
+    raise(text);
+}
+
+
+void Foam::structureConnection::close(const std::string& reason)
+{
+    onMaster
+    (
+        [&]
+        {
+            channel_->send(Goodbye{reason});
+            // Answered when all output of the structure is safe
+            channel_->receive<Goodbye>("the structure to end");
+            channel_.reset();
+            const std::string how(process_ ? process_->end(patience) : "");
+            if (!how.empty())
+            {
+                throw tokay::SolverError(how);
+            }
+        }
+    );
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,150 @@
+/*---------------------------------------------------------------------------*\
+    Tokay: OpenFOAM coupled to an isogeometric structure
+-------------------------------------------------------------------------------
+License
+    This file is part of Tokay, which is free software: you can redistribute
+    it and/or modify it under the terms of the GNU General Public License as
+    published by the Free Software Foundation, either version 3 of the
+    License, or (at your option) any later version. See the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "structureCoupling.H"
+#include "couplingSession.H"
+#include "exchangeHook.H"
+#include "fvOptions.H"
+#include "timeControlFunctionObject.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(structureCoupling, 0);
+
+    addToRunTimeSelectionTable
+    (
+        functionObject,
+        structureCoupling,
+        dictionary
+    );
+}
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::couplingSession&
+Foam::functionObjects::structureCoupling::session() const
+{
+    return mesh_.lookupObjectRef<couplingSession>
+    (
+        couplingSession::registryName(name())
+    );
+}
+
+
+void Foam::functionObjects::structureCoupling::writeFileHeader()
+{
+    Ostream& os = file();
+    writeHeader(os, "Coupling of " + name());
+    writeCommented(os, "time[s]");
+    for
+    (
+        const char* column
+      : {
+            "deltaT[s]", "correctors", "exchanges", "couplingResidual",
+            "momentumResidual", "converged", "step[s]", "force[s]",
+            "exchange[s]"
+        }
+    )
+    {
+        writeTabbed(os, column);
+    }
+    os  << endl;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::functionObjects::structureCoupling::structureCoupling
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    fvMeshFunctionObject(name, runTime, dict),
+    writeFile(mesh_, name, "coupling", dict)
+{
+    if (timeControl::entriesPresent(dict))
+    {
+        FatalIOErrorInFunction(dict)
+            << "the coupling acts in every time step: remove the entries that "
+            << "control when it executes or writes (timeStart, timeEnd, "
+            << "executeControl, writeControl, ...)" << exit(FatalIOError);
+    }
+    if (!mesh_.foundObject<pimpleControl>("solutionControl"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "this solver has no PIMPLE loop to couple in: use one like "
+            << "pimpleFoam" << exit(FatalIOError);
+    }
+
+    Info<< type() << " " << name << ':' << endl;
+    autoPtr<couplingSession> created
+    (
+        new couplingSession(name, mesh_, dict)
+    );
+    couplingSession& session = regIOobject::store(created.ptr());
+
+    fv::optionList& options = fv::options::New(mesh_);
+    options.append(new fv::exchangeHook(session, mesh_));
+
+    if (Pstream::master())
+    {
+        resetFile("coupling");
+        writeFileHeader();
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::functionObjects::structureCoupling::read(const dictionary& dict)
+{
+    IOWarningInFunction(dict)
+        << "the coupling runs already: changes of this dictionary take effect "
+        << "at the next start" << endl;
+    return true;
+}
+
+
+bool Foam::functionObjects::structureCoupling::execute()
+{
+    const couplingSession::statistics step(session().endTimeStep());
+
+    if (Pstream::master())
+    {
+        Ostream& os = file();
+        writeCurrentTime(os);
+        os  << tab << time_.deltaTValue() << tab << step.correctors
+            << tab << step.exchanges << tab << step.residual
+            << tab << step.fluidResidual << tab << step.converged
+            << tab << step.stepSeconds << tab << step.forceSeconds
+            << tab << step.exchangeSeconds << endl;
+    }
+    return true;
+}
+
+
+bool Foam::functionObjects::structureCoupling::end()
+{
+    session().close("the fluid's run has ended");
+    return true;
+}
+
+
+// ************************************************************************* //
