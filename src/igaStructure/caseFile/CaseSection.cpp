@@ -1,0 +1,147 @@
+#include "igaStructure/caseFile/CaseSection.hpp"
+
+#include "igaStructure/caseFile/CaseEntry.hpp"
+#include "igaStructure/caseFile/validateCase.hpp"
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+#include <cassert>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+namespace tokay::structure {
+
+struct CaseSection::Implementation {
+    YamlPlace place;
+
+    // The entry as given, or its default.
+    YamlPlace value(const std::string& name) const {
+        YamlPlace given = place.child(name);
+        if (given.node.IsDefined()) {
+            return given;
+        }
+        const CaseEntry* entry = findCaseEntry(given.tablePath);
+        assert(entry && entry->presence == Presence::defaulted);
+        given.node = YAML::Load(entry->fallback);
+        return given;
+    }
+
+    template <class Read>
+    auto values(const std::string& name, Read read) const {
+        const YamlPlace list = value(name);
+        std::vector<decltype(read(list))> result;
+        for (std::size_t i = 0; i < list.node.size(); ++i) {
+            result.push_back(read(list.item(i)));
+        }
+        return result;
+    }
+};
+
+namespace {
+
+Formula readFormula(const YamlPlace& place) {
+    return Formula(place.node.Scalar(), place.error("").what());
+}
+
+std::string readFile(const std::string& fileName) {
+    std::ifstream file(fileName);
+    std::ostringstream text;
+    if (!file || !(text << file.rdbuf())) {
+        throw InputError(fmt::format("cannot read case file '{}': {}", fileName,
+                                     errno ? std::strerror(errno) : "it is empty"));
+    }
+    return text.str();
+}
+
+} // namespace
+
+CaseSection::CaseSection(std::unique_ptr<Implementation> implementation)
+    : implementation_(std::move(implementation)) {}
+CaseSection::CaseSection(const CaseSection& other)
+    : implementation_(std::make_unique<Implementation>(*other.implementation_)) {}
+CaseSection::CaseSection(CaseSection&&) noexcept = default;
+CaseSection& CaseSection::operator=(CaseSection&&) noexcept = default;
+CaseSection::~CaseSection() = default;
+
+CaseSection CaseSection::fromFile(const std::string& fileName) {
+    return fromText(readFile(fileName), fileName);
+}
+
+CaseSection CaseSection::fromText(const std::string& text, const std::string& fileName) {
+    YamlPlace root{fileName, {}, "", ""};
+    try {
+        root.node = YAML::Load(text);
+    } catch (const YAML::ParserException& exception) {
+        throw root.errorAt(exception.mark, "this is not YAML: " + exception.msg);
+    }
+    validateCase(root);
+    return CaseSection(std::make_unique<Implementation>(Implementation{root}));
+}
+
+bool CaseSection::has(const std::string& name) const {
+    return implementation_->place.child(name).node.IsDefined();
+}
+
+double CaseSection::number(const std::string& name) const {
+    return readNumber(implementation_->value(name));
+}
+
+int CaseSection::integer(const std::string& name) const {
+    return readInteger(implementation_->value(name));
+}
+
+bool CaseSection::yesNo(const std::string& name) const {
+    return implementation_->value(name).node.as<bool>();
+}
+
+std::string CaseSection::text(const std::string& name) const {
+    return implementation_->value(name).node.Scalar();
+}
+
+Formula CaseSection::formula(const std::string& name) const {
+    return readFormula(implementation_->value(name));
+}
+
+std::vector<double> CaseSection::numbers(const std::string& name) const {
+    return implementation_->values(name, readNumber);
+}
+
+std::vector<int> CaseSection::integers(const std::string& name) const {
+    return implementation_->values(name, readInteger);
+}
+
+std::vector<std::string> CaseSection::words(const std::string& name) const {
+    return implementation_->values(name, [](const YamlPlace& p) { return p.node.Scalar(); });
+}
+
+std::vector<Formula> CaseSection::formulas(const std::string& name) const {
+    return implementation_->values(name, readFormula);
+}
+
+std::vector<std::vector<double>> CaseSection::points(const std::string& name) const {
+    return implementation_->values(
+        name, [](const YamlPlace& p) { return p.node.as<std::vector<double>>(); });
+}
+
+CaseSection CaseSection::section(const std::string& name) const {
+    return CaseSection(
+        std::make_unique<Implementation>(Implementation{implementation_->value(name)}));
+}
+
+std::vector<CaseSection> CaseSection::list(const std::string& name) const {
+    return implementation_->values(name, [](const YamlPlace& p) {
+        return CaseSection(std::make_unique<Implementation>(Implementation{p}));
+    });
+}
+
+InputError CaseSection::error(const std::string& name, const std::string& message) const {
+    const YamlPlace place =
+        name.empty() ? implementation_->place : implementation_->place.child(name);
+    return place.node.IsDefined() ? place.error(message)
+                                  : implementation_->place.error(name + ": " + message);
+}
+
+} // namespace tokay::structure

@@ -1,0 +1,83 @@
+#include "igaStructure/caseFile/Formula.hpp"
+
+#include "common/errors.hpp"
+
+#include <fmt/format.h>
+#include <muParser.h>
+
+#include <cmath>
+
+namespace tokay::structure {
+
+struct Formula::Implementation {
+    std::string text;
+    std::string where;
+    double x = 0;
+    double y = 0;
+    double t = 0;
+    mu::Parser parser;
+
+    Implementation(const std::string& theText, const std::string& theWhere)
+        : text(theText), where(theWhere) {
+        parser.DefineVar("x", &x);
+        parser.DefineVar("y", &y);
+        parser.DefineVar("t", &t);
+        parser.DefineConst("pi", M_PI);
+        parser.DefineConst("e", M_E);
+        parser.SetExpr(text);
+    }
+
+    InputError error(const mu::Parser::exception_type& exception) const {
+        return InputError(fmt::format("{}formula '{}' cannot be read: {} Variables are x, y [m] "
+                                      "and t [s].",
+                                      where, text, exception.GetMsg()));
+    }
+};
+
+Formula::Formula(const std::string& text, const std::string& where)
+    : implementation_(std::make_unique<Implementation>(text, where)) {
+    try {
+        implementation_->parser.Eval();
+    } catch (const mu::Parser::exception_type& exception) {
+        throw implementation_->error(exception);
+    }
+}
+
+Formula::Formula(const Formula& other)
+    : Formula(other.implementation_->text, other.implementation_->where) {}
+
+Formula& Formula::operator=(const Formula& other) {
+    return *this = Formula(other);
+}
+
+Formula::Formula(Formula&&) noexcept = default;
+Formula& Formula::operator=(Formula&&) noexcept = default;
+Formula::~Formula() = default;
+
+double Formula::operator()(double x, double y, double t) const {
+    implementation_->x = x;
+    implementation_->y = y;
+    implementation_->t = t;
+    double value = 0;
+    try {
+        value = implementation_->parser.Eval();
+    } catch (const mu::Parser::exception_type& exception) {
+        throw implementation_->error(exception);
+    }
+    if (!std::isfinite(value)) {
+        throw InputError(fmt::format("{}formula '{}' gives {} at x = {}, y = {}, t = {}",
+                                     implementation_->where, implementation_->text, value, x, y,
+                                     t));
+    }
+    return value;
+}
+
+bool Formula::dependsOnTime() const {
+    return implementation_->parser.GetUsedVar().count("t") > 0;
+}
+
+const std::string& Formula::text() const {
+    return implementation_->text;
+}
+
+} // namespace tokay::structure

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+namespace tokay::structure {
+
+/// A number or a formula of the case file in x, y [m] and t [s], e.g.
+/// "100*y*sin(2*pi*t)". Functions are muParser's: sin, cos, tan, exp, ln, sqrt,
+/// abs, min, max, a ? b : c, …; pi and e are constants.
+class Formula {
+  public:
+    /// @param where  place in the case file, begins messages
+    /// @throws InputError if it cannot be read
+    Formula(const std::string& text, const std::string& where);
+    Formula(const Formula&);
+    Formula& operator=(const Formula&);
+    Formula(Formula&&) noexcept;
+    Formula& operator=(Formula&&) noexcept;
+    ~Formula();
+
+    /// @throws InputError if the value is not finite; says where and when
+    double operator()(double x, double y, double t) const;
+
+    bool dependsOnTime() const;
+    const std::string& text() const;
+
+  private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+} // namespace tokay::structure

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace tokay::structure {
+
+/// A place of the body whose motion is tabulated.
+struct WatchPoint {
+    std::string name;
+    std::array<double, 2> at = {0, 0}; ///< reference configuration [m]
+};
+
+enum class CellShape { quads, bezier };
+
+/// Entries of `output` in the case file.
+struct OutputOptions {
+    std::string directory; ///< of .pvd and .vtu, ready to open
+    int interval = 10;     ///< time steps between results, 0: none
+    std::vector<std::string> fields;
+    CellShape cells = CellShape::quads;
+    int subdivision = 4;
+    std::vector<WatchPoint> watchPoints;
+};
+
+} // namespace tokay::structure

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "igaStructure/caseFile/YamlPlace.hpp"
+
+namespace tokay::structure {
+
+/// Checks a map of the case file, and all in it, against the table of entries:
+/// unknown, repeated and missing entries, types, ranges, lengths of lists,
+/// allowed words, formulas.
+/// @throws InputError for the first mistake
+void validateCase(const YamlPlace& map);
+
+/// The number at a place.
+/// @throws InputError if it is none, or not finite
+double readNumber(const YamlPlace& place);
+
+/// @throws InputError if it is none
+int readInteger(const YamlPlace& place);
+
+} // namespace tokay::structure

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <vector>
+
+namespace tokay::structure {
+
+using SparseMatrix = Eigen::SparseMatrix<double>;
+
+/// What time integration needs of a structure discretised in space. Vectors
+/// have nUnknowns() entries: component c of control point k is number
+/// nComponents() k + c. Matrices hold both triangles and all have one sparsity.
+class StructuralModel {
+  public:
+    virtual ~StructuralModel() = default;
+
+    virtual int nUnknowns() const = 0;
+    virtual int nComponents() const = 0;
+
+    /// Whether internal forces are linear in the displacement.
+    virtual bool isLinear() const = 0;
+
+    /// Consistent mass matrix [kg].
+    virtual SparseMatrix massMatrix() const = 0;
+
+    /// Rayleigh damping factors (mass [1/s], stiffness [s]).
+    virtual double massDamping() const = 0;
+    virtual double stiffnessDamping() const = 0;
+
+    /// Internal forces [N] and their state.
+    struct Internal {
+        Eigen::VectorXd force;
+        /// Smallest ratio of deformed and reference volume; a body turned
+        /// inside out has one that is not positive.
+        double smallestVolumeRatio = 1;
+    };
+
+    virtual Internal internalForce(const Eigen::VectorXd& displacement) const = 0;
+
+    /// Also the exact derivative of the internal force.
+    /// @param tangent  empty, or made by an earlier call: then only its values change
+    virtual Internal internalForce(const Eigen::VectorXd& displacement,
+                                   SparseMatrix& tangent) const = 0;
+
+    /// [J]
+    virtual double strainEnergy(const Eigen::VectorXd& displacement) const = 0;
+
+    /// The model's own loads at a time [N].
+    virtual const Eigen::VectorXd& externalForce(double time) = 0;
+
+    /// Unknowns that are zero.
+    virtual const std::vector<bool>& fixed() const = 0;
+
+    /// Motions without strain that the supports leave free, in words.
+    virtual std::vector<std::string> freeRigidMotions() const = 0;
+
+    /// Largest extent [m].
+    virtual double size() const = 0;
+};
+
+} // namespace tokay::structure

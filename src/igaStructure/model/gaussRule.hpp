@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+namespace tokay::structure {
+
+/// Points and weights on [0, 1].
+struct GaussRule {
+    std::vector<double> points;
+    std::vector<double> weights;
+};
+
+/// Gauss-Legendre rule, exact for polynomials of degree 2 nPoints - 1.
+GaussRule gaussRule(int nPoints);
+
+} // namespace tokay::structure

@@ -1,0 +1,264 @@
+#include "igaStructure/timeIntegration/TimeIntegrator.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace tokay::structure {
+
+using Eigen::VectorXd;
+
+namespace {
+
+// Sum of matrices of one sparsity: target = a A + b B.
+void combine(double a, const SparseMatrix& A, double b, const SparseMatrix& B,
+             SparseMatrix& target) {
+    assert(A.nonZeros() == B.nonZeros());
+    if (target.nonZeros() != A.nonZeros()) {
+        target = A;
+    }
+    const Eigen::Index n = A.nonZeros();
+    Eigen::Map<VectorXd>(target.valuePtr(), n) = a * Eigen::Map<const VectorXd>(A.valuePtr(), n) +
+                                                 b * Eigen::Map<const VectorXd>(B.valuePtr(), n);
+}
+
+void setFixedToZero(const std::vector<bool>& fixed, VectorXd& vector) {
+    for (std::size_t k = 0; k < fixed.size(); ++k) {
+        if (fixed[k]) {
+            vector[k] = 0;
+        }
+    }
+}
+
+} // namespace
+
+TimeIntegrator::TimeIntegrator(StructuralModel& model, const TimeScheme& scheme,
+                               const NewtonOptions& newton, double startTime)
+    : model_(model), scheme_(scheme), newton_(newton), mass_(model.massMatrix()),
+      solver_(mass_, model.fixed()) {
+    state_.time = startTime;
+    state_.displacement = VectorXd::Zero(model.nUnknowns());
+    state_.velocity = state_.displacement;
+    state_.acceleration = state_.displacement;
+    state_.force = model.externalForce(startTime);
+    model_.internalForce(state_.displacement, stiffness_);
+    smallestForce_ = std::numeric_limits<double>::epsilon() *
+                     VectorXd(stiffness_.diagonal()).norm() * model.size();
+    if (scheme.dynamic) {
+        setInitialAcceleration();
+    } else if (!model.freeRigidMotions().empty()) {
+        throw SolverError("a static analysis needs supports against every rigid motion" +
+                          freeMotionsHint());
+    }
+}
+
+void TimeIntegrator::setInitialAcceleration() {
+    solver_.factorise(mass_);
+    ++nFactorisations_;
+    state_.acceleration = solver_.solve(state_.force);
+}
+
+void TimeIntegrator::beginTimeStep(double time, double deltaT) {
+    assert(deltaT > 0);
+    time_ = time;
+    deltaT_ = deltaT;
+    displacement_ = state_.displacement;
+}
+
+const VectorXd& TimeIntegrator::solve(const VectorXd& interfaceForce) {
+    force_ = model_.externalForce(time_);
+    if (interfaceForce.size() > 0) {
+        force_ += interfaceForce;
+    }
+    if (!force_.allFinite()) {
+        throw SolverError(
+            fmt::format("a force on the structure is not finite at time {:.6g} s", time_));
+    }
+    residuals_.clear();
+    if (model_.isLinear()) {
+        solveLinear();
+    } else {
+        solveNonlinear();
+    }
+    return displacement_;
+}
+
+void TimeIntegrator::acceptTimeStep() {
+    MotionState next;
+    next.time = time_;
+    next.displacement = displacement_;
+    next.acceleration = accelerationFor(displacement_);
+    next.velocity = velocityFor(next.acceleration);
+    next.force = force_;
+    updateEnergies(next);
+    state_ = std::move(next);
+}
+
+void TimeIntegrator::rejectTimeStep() {
+    displacement_ = state_.displacement;
+}
+
+VectorXd TimeIntegrator::accelerationFor(const VectorXd& displacement) const {
+    if (!scheme_.dynamic) {
+        return VectorXd::Zero(displacement.size());
+    }
+    return (displacement - state_.displacement - deltaT_ * state_.velocity) /
+               (scheme_.beta * deltaT_ * deltaT_) -
+           (0.5 / scheme_.beta - 1) * state_.acceleration;
+}
+
+VectorXd TimeIntegrator::velocityFor(const VectorXd& acceleration) const {
+    return state_.velocity +
+           deltaT_ * ((1 - scheme_.gamma) * state_.acceleration + scheme_.gamma * acceleration);
+}
+
+VectorXd TimeIntegrator::dampingForce(const VectorXd& velocity) const {
+    VectorXd force = VectorXd::Zero(velocity.size());
+    if (model_.massDamping() > 0) {
+        force += model_.massDamping() * (mass_ * velocity);
+    }
+    if (model_.stiffnessDamping() > 0) {
+        force += model_.stiffnessDamping() * (stiffness_ * velocity);
+    }
+    return force;
+}
+
+VectorXd TimeIntegrator::atAlphaF(const VectorXd& start, const VectorXd& end) const {
+    return (1 - scheme_.alphaF) * end + scheme_.alphaF * start;
+}
+
+TimeIntegrator::Balance TimeIntegrator::balance(const VectorXd& displacement) const {
+    const VectorXd middle = atAlphaF(state_.displacement, displacement);
+    StructuralModel::Internal internal;
+    if (model_.isLinear()) {
+        internal.force = stiffness_ * middle;
+    } else {
+        internal = model_.internalForce(middle);
+    }
+    Balance balance;
+    balance.smallestVolumeRatio = internal.smallestVolumeRatio;
+    const VectorXd external = atAlphaF(state_.force, force_);
+    balance.residual = external - internal.force;
+    // Reactions at supports are in balance too, so the norms are of whole vectors.
+    balance.scale = std::max({external.norm(), internal.force.norm(), smallestForce_});
+    if (scheme_.dynamic) {
+        const VectorXd acceleration = accelerationFor(displacement);
+        const VectorXd inertia =
+            mass_ * ((1 - scheme_.alphaM) * acceleration + scheme_.alphaM * state_.acceleration);
+        balance.residual -= inertia;
+        balance.residual -= dampingForce(atAlphaF(state_.velocity, velocityFor(acceleration)));
+        balance.scale = std::max(balance.scale, inertia.norm());
+    }
+    setFixedToZero(model_.fixed(), balance.residual);
+    return balance;
+}
+
+// tangent_ holds the tangent of the internal force and gets that of the balance.
+void TimeIntegrator::factorise() {
+    const double internalFactor = 1 - scheme_.alphaF;
+    if (scheme_.dynamic) {
+        const double velocityFactor =
+            (1 - scheme_.alphaF) * scheme_.gamma / (scheme_.beta * deltaT_);
+        const double massFactor = (1 - scheme_.alphaM) / (scheme_.beta * deltaT_ * deltaT_) +
+                                  velocityFactor * model_.massDamping();
+        combine(internalFactor, tangent_, massFactor, mass_, tangent_);
+        if (model_.stiffnessDamping() > 0) {
+            combine(1, tangent_, velocityFactor * model_.stiffnessDamping(), stiffness_, tangent_);
+        }
+    }
+    try {
+        solver_.factorise(tangent_);
+    } catch (const NotPositiveDefinite& error) {
+        throw SolverError(fmt::format(
+            "time {:.6g} s: {} at control point {}, component {}: the structure has no stiffness "
+            "or buckles there{}",
+            time_, error.what(), error.unknown / model_.nComponents(),
+            error.unknown % model_.nComponents(), freeMotionsHint()));
+    }
+    ++nFactorisations_;
+}
+
+void TimeIntegrator::solveLinear() {
+    if (deltaT_ != factoredDeltaT_) {
+        tangent_ = stiffness_;
+        factorise();
+        factoredDeltaT_ = deltaT_;
+    }
+    // From the old state: the solution must not depend on earlier solves.
+    displacement_ = state_.displacement + solver_.solve(balance(state_.displacement).residual);
+    nIterations_ = 1;
+    if (!displacement_.allFinite()) {
+        throwNotConverged("the solution is not finite");
+    }
+}
+
+void TimeIntegrator::solveNonlinear() {
+    Balance current = balance(displacement_);
+    for (nIterations_ = 0; nIterations_ < newton_.maximumIterations; ++nIterations_) {
+        residuals_.push_back(current.residual.norm() / current.scale);
+        if (!std::isfinite(residuals_.back())) {
+            throwNotConverged("the residual is not finite");
+        }
+        // No iteration gets below rounding error.
+        if (residuals_.back() <= newton_.tolerance || current.residual.norm() <= smallestForce_) {
+            return;
+        }
+        model_.internalForce(atAlphaF(state_.displacement, displacement_), tangent_);
+        factorise();
+        current = update(solver_.solve(current.residual), current);
+    }
+    throwNotConverged("Newton's method did not converge");
+}
+
+// Moves along an update as far as the residual's work along it falls enough.
+// Near the solution that is the whole update, so that convergence stays quadratic.
+TimeIntegrator::Balance TimeIntegrator::update(const VectorXd& update, const Balance& current) {
+    constexpr double enough = 0.8;
+    constexpr double shortest = 1.0 / 64;
+    const double work = std::abs(update.dot(current.residual));
+    double length = 1;
+    Balance next = balance(displacement_ + update);
+    while (newton_.lineSearch && length > shortest &&
+           !(next.smallestVolumeRatio > 0 &&
+             std::abs(update.dot(next.residual)) <= enough * work)) {
+        length *= 0.5;
+        next = balance(displacement_ + length * update);
+    }
+    displacement_ += length * update;
+    return next;
+}
+
+void TimeIntegrator::throwNotConverged(const char* why) const {
+    throw SolverError(fmt::format(
+        "time {:.6g} s, time step {:.6g} s: {} (relative residuals {:.2e}, tolerance {:g}, at most "
+        "{} iterations); use a smaller time step or load step, or check loads and material",
+        time_, deltaT_, why, fmt::join(residuals_, " "), newton_.tolerance,
+        newton_.maximumIterations));
+}
+
+std::string TimeIntegrator::freeMotionsHint() const {
+    const std::vector<std::string> motions = model_.freeRigidMotions();
+    return motions.empty()
+               ? ""
+               : fmt::format("; nothing prevents: {}; add supports", fmt::join(motions, ", "));
+}
+
+void TimeIntegrator::updateEnergies(const MotionState& next) {
+    const VectorXd motion = next.displacement - state_.displacement;
+    energies_.kinetic = 0.5 * next.velocity.dot(mass_ * next.velocity);
+    energies_.strain = model_.strainEnergy(next.displacement);
+    energies_.externalWork += 0.5 * motion.dot(next.force + state_.force);
+    energies_.dampingWork +=
+        0.5 * motion.dot(dampingForce(next.velocity) + dampingForce(state_.velocity));
+}
+
+double TimeIntegrator::bytes() const {
+    constexpr double perEntry = sizeof(double) + sizeof(int);
+    const double nMatrices = 3;
+    return solver_.bytes() + nMatrices * perEntry * static_cast<double>(mass_.nonZeros());
+}
+
+} // namespace tokay::structure

@@ -1,0 +1,120 @@
+#pragma once
+
+#include "igaStructure/linearAlgebra/SparseCholesky.hpp"
+#include "igaStructure/model/StructuralModel.hpp"
+#include "igaStructure/timeIntegration/NewtonOptions.hpp"
+#include "igaStructure/timeIntegration/TimeScheme.hpp"
+
+#include <Eigen/Core>
+
+#include <optional>
+
+namespace tokay::structure {
+
+/// Motion of a structure at one time.
+struct MotionState {
+    double time = 0;              ///< [s]
+    Eigen::VectorXd displacement; ///< [m]
+    Eigen::VectorXd velocity;     ///< [m/s]
+    Eigen::VectorXd acceleration; ///< [m/s^2]
+    Eigen::VectorXd force;        ///< external, interface included [N]
+};
+
+/// Energies of a structure [J], per unit depth where its forces are.
+struct Energies {
+    double kinetic = 0;
+    double strain = 0;
+    double externalWork = 0; ///< done by external forces since the start
+    double dampingWork = 0;  ///< taken by Rayleigh damping since the start
+};
+
+/// Advances a structure in time. A step may be solved several times, each time
+/// with another interface force, before it is accepted.
+///
+/// A linear structure is factored once for each new size of the time step; a
+/// nonlinear one in every Newton iteration.
+class TimeIntegrator {
+  public:
+    /// Starts at rest, undeformed; the acceleration at the start balances the
+    /// model's own loads.
+    /// @param model  is kept by reference
+    /// @throws SolverError if the supports of a static analysis leave rigid
+    ///         motions free: names them
+    TimeIntegrator(StructuralModel& model, const TimeScheme& scheme, const NewtonOptions& newton,
+                   double startTime);
+
+    /// @param time    at the end of the step [s]
+    /// @param deltaT  [s]
+    void beginTimeStep(double time, double deltaT);
+
+    /// Displacement at the end of the step.
+    /// @param interfaceForce  on the unknowns at the end of the step, beside
+    ///                        the model's own loads [N]; empty: none
+    /// @throws SolverError if Newton's method fails; says where it stands
+    const Eigen::VectorXd& solve(const Eigen::VectorXd& interfaceForce = {});
+
+    /// The last solution becomes the state.
+    void acceptTimeStep();
+
+    /// Forgets the step; the state is as before beginTimeStep.
+    void rejectTimeStep();
+
+    const MotionState& state() const { return state_; }
+    const Energies& energies() const { return energies_; }
+
+    /// Newton iterations of the last solve; 1 for a linear structure.
+    int nIterations() const { return nIterations_; }
+    /// Out-of-balance force of each iterate of the last solve, relative.
+    const std::vector<double>& residuals() const { return residuals_; }
+    /// Since the start.
+    int nFactorisations() const { return nFactorisations_; }
+    /// [bytes]
+    double bytes() const;
+    const SparseCholesky& solver() const { return solver_; }
+
+  private:
+    // Balance of forces for a displacement at the end of the step.
+    struct Balance {
+        Eigen::VectorXd residual; ///< external - inertia - damping - internal, 0 where fixed
+        double scale = 0;         ///< largest norm of its terms
+        double smallestVolumeRatio = 1;
+    };
+
+    Eigen::VectorXd accelerationFor(const Eigen::VectorXd& displacement) const;
+    Eigen::VectorXd velocityFor(const Eigen::VectorXd& acceleration) const;
+    Eigen::VectorXd dampingForce(const Eigen::VectorXd& velocity) const;
+    Eigen::VectorXd atAlphaF(const Eigen::VectorXd& start, const Eigen::VectorXd& end) const;
+    Balance balance(const Eigen::VectorXd& displacement) const;
+    void factorise();
+    void setInitialAcceleration();
+    void solveLinear();
+    void solveNonlinear();
+    Balance update(const Eigen::VectorXd& update, const Balance& current);
+    [[noreturn]] void throwNotConverged(const char* why) const;
+    std::string freeMotionsHint() const;
+    void updateEnergies(const MotionState& next);
+
+    StructuralModel& model_;
+    TimeScheme scheme_;
+    NewtonOptions newton_;
+    SparseMatrix mass_;
+    SparseMatrix stiffness_; ///< at rest: linear structures, stiffness damping
+    SparseMatrix tangent_;   ///< of the internal force, then of the whole balance
+    SparseCholesky solver_;
+    double smallestForce_; ///< rounding error of internal forces [N]
+
+    MotionState state_;
+    Energies energies_;
+
+    double time_ = 0;
+    double deltaT_ = 0;
+    double factoredDeltaT_ = 0;
+    Eigen::VectorXd force_;        ///< at the end of the step
+    Eigen::VectorXd displacement_; ///< latest iterate at the end of the step
+
+    int nIterations_ = 0;
+    int nFactorisations_ = 0;
+    std::vector<double> residuals_;
+};
+
+} // namespace tokay::structure
