@@ -7,6 +7,7 @@
 #include <asio/basic_socket_acceptor.hpp>
 #include <asio/generic/stream_protocol.hpp>
 #include <asio/ip/tcp.hpp>
+#include <asio/local/datagram_protocol.hpp>
 #include <asio/local/stream_protocol.hpp>
 
 #include <optional>
@@ -41,15 +42,17 @@ bool isSocket(const std::string& path) {
     return lstat(path.c_str(), &status) == 0 && S_ISSOCK(status.st_mode);
 }
 
-/// Removes the socket that a killed structure left behind, nothing else.
+/// Removes the socket that a killed structure left behind, nothing else. The
+/// probe is a datagram socket: a listening stream socket refuses its type and
+/// is not disturbed, an abandoned one refuses the connection.
 void removeAbandonedSocket(const std::string& path) {
     if (!isSocket(path)) {
         return;
     }
     asio::io_context context;
-    asio::local::stream_protocol::socket probe(context);
+    asio::local::datagram_protocol::socket probe(context);
     asio::error_code error;
-    probe.connect(asio::local::stream_protocol::endpoint(path), error);
+    probe.connect(asio::local::datagram_protocol::endpoint(path), error);
     if (error == asio::error::connection_refused) {
         unlink(path.c_str());
     }
