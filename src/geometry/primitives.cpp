@@ -1,6 +1,7 @@
 #include "geometry/primitives.hpp"
 
 #include "common/errors.hpp"
+#include <Eigen/Geometry>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -79,10 +80,13 @@ NurbsSurface rectangle(const Point& origin, double sizeX, double sizeY) {
 }
 
 NurbsSurface plate(const Point& origin, const Point& edgeU, const Point& edgeV) {
-    const double lengths = edgeU.norm() * edgeV.norm();
-    checkPositive(lengths, "product of the plate's edge lengths");
-    const double cosine = edgeU.dot(edgeV) / lengths;
-    checkPositive(1 - cosine * cosine, "angle between the plate's edges");
+    checkPositive(edgeU.norm(), "length of the plate's first edge");
+    checkPositive(edgeV.norm(), "length of the plate's second edge");
+    const double sine = edgeU.normalized().cross(edgeV.normalized()).norm();
+    if (sine < 1e-9)
+        throw InputError(fmt::format("The plate's edges are parallel (the sine of their angle is "
+                                     "{:.2g}): it has no area.",
+                                     sine));
     Points points(4, 3);
     points << origin.transpose(), (origin + edgeU).transpose(), (origin + edgeV).transpose(),
         (origin + edgeU + edgeV).transpose();
