@@ -13,7 +13,6 @@ License
 #include "structureDisplacementPointPatchVectorField.H"
 #include "movingWallVelocityFvPatchVectorField.H"
 #include "Time.H"
-#include "coupling/allFinite.hpp"
 
 #include <chrono>
 
@@ -91,7 +90,7 @@ Foam::scalar Foam::couplingSession::readTolerance() const
         return 1;
     }
 
-    const dictionary& controls = pimple_.dict();
+    const dictionary controls(pimple_.dict());
     if (!controls.lookupOrDefault("moveMeshOuterCorrectors", false))
     {
         FatalIOErrorInFunction(controls)
@@ -203,8 +202,9 @@ Foam::scalar Foam::couplingSession::momentumResidual() const
 
 bool Foam::couplingSession::loopConverged() const
 {
+    const dictionary controls(pimple_.dict());
     const dictionary* control =
-        pimple_.dict().subOrEmptyDict("residualControl").findDict
+        controls.subDict("residualControl").findDict
         (
             force_.UName(),
             keyType::REGEX

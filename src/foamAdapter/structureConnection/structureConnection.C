@@ -13,6 +13,7 @@ License
 #include "Time.H"
 #include "Pstream.H"
 #include "OSspecific.H"
+#include "coupling/allFinite.hpp"
 #include "coupling/shakeHands.hpp"
 #include "common/errors.hpp"
 #include "common/version.hpp"
@@ -43,6 +44,33 @@ std::string readToken(const std::string& fileName)
         );
     }
     return token;
+}
+
+//- Refuse what cannot be a displacement of each point
+void checkDisplacements
+(
+    const std::vector<double>& values,
+    const std::size_t nValues
+)
+{
+    if (values.size() != nValues)
+    {
+        throw tokay::SolverError
+        (
+            "the structure sent " + std::to_string(values.size())
+          + " displacement components where the interface has "
+          + std::to_string(nValues)
+        );
+    }
+    if (const auto index = firstNonFinite(values))
+    {
+        throw tokay::SolverError
+        (
+            "the structure's displacement is not finite, component "
+          + std::to_string(*index) + " of " + std::to_string(nValues)
+          + ". See the structure's log"
+        );
+    }
 }
 
 //- Path of a file that is named from the case folder
@@ -172,7 +200,8 @@ Foam::structureConnection::structureConnection
 )
 :
     dict_(dict),
-    starting_(true)
+    starting_(true),
+    nValues_(0)
 {
     const dictionary& structureDict = dict.subDict("structure");
 
@@ -229,6 +258,7 @@ Foam::structureConnection::structureConnection
 
 std::string Foam::structureConnection::start(const Interface& interface)
 {
+    nValues_ = interface.points.size();
     std::string report;
     onMaster
     (
@@ -259,6 +289,7 @@ tokay::coupling::Displacements Foam::structureConnection::exchange
         {
             channel_->send(message);
             displacements = channel_->receive<Displacements>(waitingFor);
+            checkDisplacements(displacements.values, nValues_);
         }
     );
     return displacements;
@@ -269,14 +300,7 @@ void Foam::structureConnection::fail(const std::string& text)
 {
     if (channel_)
     {
-        try
-        {
-            channel_->send(Failure{text});
-        }
-        catch (const PeerError&)
-        {
-            // It is gone already: what counts is our own message, below
-        }
+        channel_->trySend(Failure{text});
         channel_.reset();
     }
     raise(text);

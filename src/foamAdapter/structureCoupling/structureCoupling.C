@@ -105,7 +105,6 @@ Foam::functionObjects::structureCoupling::structureCoupling
 
     if (Pstream::master())
     {
-        resetFile("coupling");
         writeFileHeader();
     }
 }
