@@ -9,11 +9,15 @@ namespace tokay::mapper {
 using geometry::Point;
 using geometry::Points;
 
-/// Where a point lies on a discretisation, as a linear combination of its values.
-struct Location {
+/// A value at a place of a discretisation is the sum of weights times values.
+struct Functions {
     /// Numbers of the values, and the weight of each.
     std::vector<int> values;
     Eigen::VectorXd weights;
+};
+
+/// The closest place to a point, and the functions there.
+struct Location : Functions {
     /// Distance from the point to its projection [m].
     double gap;
     bool converged;
@@ -26,6 +30,9 @@ struct Location {
 class Discretisation {
   public:
     virtual ~Discretisation() = default;
+
+    /// What the mapping from it by locate() is called in reports.
+    virtual std::string mappingName() const { return "nearest element"; }
 
     virtual int nValues() const = 0;
 

@@ -48,7 +48,7 @@ NearestElementMapping::NearestElementMapping(const Discretisation& from, const P
     : matrix_(to.rows(), from.nValues()) {
     const auto start = std::chrono::steady_clock::now();
     checkPoints(to);
-    report_.method = "nearest element";
+    report_.method = from.mappingName();
     report_.nPoints = static_cast<int>(to.rows());
 
     std::vector<Eigen::Triplet<double>> entries;

@@ -1,7 +1,6 @@
 #include "mapper/SplineInterface.hpp"
 
 #include "common/errors.hpp"
-#include "geometry/ClosestCandidate.hpp"
 #include <fmt/format.h>
 
 namespace tokay::mapper {
@@ -28,11 +27,13 @@ geometry::Box boxOf(const std::vector<SplinePiece>& pieces) {
     return box;
 }
 
-/// Coordinates by the structure's numbers.
-Points gathered(const std::vector<SplinePiece>& pieces, int nControlPoints, double size) {
+/// Coordinates by the structure's numbers, once these are checked.
+Points gathered(const std::vector<SplinePiece>& pieces, int nControlPoints) {
+    const double size = boxOf(pieces).diagonal();
     Points coordinates = Points::Zero(nControlPoints, 3);
     std::vector<bool> isKnown(nControlPoints, false);
-    for (const SplinePiece& piece : pieces)
+    for (const SplinePiece& piece : pieces) {
+        checkNumbers(piece, nControlPoints);
         for (int i = 0; i < piece.curve.nControlPoints(); ++i) {
             const int number = piece.controlPoints[i];
             const auto here = piece.curve.controlPoints().row(i);
@@ -45,51 +46,21 @@ Points gathered(const std::vector<SplinePiece>& pieces, int nControlPoints, doub
             coordinates.row(number) = here;
             isKnown[number] = true;
         }
+    }
     return coordinates;
+}
+
+std::vector<std::unique_ptr<InterfaceCurve>> curvesOf(const std::vector<SplinePiece>& pieces) {
+    std::vector<std::unique_ptr<InterfaceCurve>> curves;
+    for (const SplinePiece& piece : pieces)
+        curves.push_back(interfaceCurve(piece.curve, piece.controlPoints));
+    return curves;
 }
 
 } // namespace
 
 SplineInterface::SplineInterface(std::vector<SplinePiece> pieces, int nControlPoints)
-    : pieces_(std::move(pieces)) {
-    if (pieces_.empty())
-        throw InputError("The interface has no piece: name at least one edge.");
-    for (const SplinePiece& piece : pieces_) {
-        checkNumbers(piece, nControlPoints);
-        projectors_.emplace_back(piece.curve);
-    }
-    size_ = boxOf(pieces_).diagonal();
-    coordinates_ = gathered(pieces_, nControlPoints, size_);
-}
-
-SplineInterface::Projection SplineInterface::closest(const Point& point) const {
-    geometry::ClosestCandidate candidate(size_);
-    Projection best{};
-    bool isAmbiguous = false;
-    for (std::size_t i = 0; i < pieces_.size(); ++i) {
-        const geometry::CurveProjection found = projectors_[i].closest(point);
-        const Point place = pieces_[i].curve.point(found.xi);
-        if (candidate.offer(place - point)) {
-            best = {static_cast<int>(i), found};
-            isAmbiguous = found.ambiguous;
-        }
-    }
-    best.onCurve.ambiguous = isAmbiguous || candidate.isAmbiguous();
-    return best;
-}
-
-Location SplineInterface::locate(const Point& point) const {
-    const Projection projection = closest(point);
-    const SplinePiece& piece = pieces_[projection.piece];
-    const geometry::CurveBasis basis = piece.curve.basis(projection.onCurve.xi, 0);
-    Location location;
-    for (int j = 0; j < basis.N.cols(); ++j)
-        location.values.push_back(piece.controlPoints[basis.first + j]);
-    location.weights = basis.N.row(0);
-    location.gap = projection.onCurve.distance;
-    location.converged = projection.onCurve.converged;
-    location.ambiguous = projection.onCurve.ambiguous;
-    return location;
-}
+    : CurveInterface(curvesOf(pieces), gathered(pieces, nControlPoints)),
+      pieces_(std::move(pieces)) {}
 
 } // namespace tokay::mapper

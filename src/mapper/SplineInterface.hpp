@@ -1,8 +1,7 @@
 #pragma once
 
-#include "geometry/CurveProjector.hpp"
 #include "geometry/NurbsCurve.hpp"
-#include "mapper/Discretisation.hpp"
+#include "mapper/CurveInterface.hpp"
 
 namespace tokay::mapper {
 
@@ -18,7 +17,7 @@ struct SplinePiece {
 /// The wet boundary of a 2D structure: pieces that may share control points
 /// (a corner). Values are the structure's control points, all of them, so that
 /// mapped vectors need no renumbering.
-class SplineInterface : public Discretisation {
+class SplineInterface : public CurveInterface {
   public:
     /// @param nControlPoints  of the whole structure
     /// @throws InputError if there is no piece, or a piece's numbers do not fit
@@ -26,26 +25,10 @@ class SplineInterface : public Discretisation {
     SplineInterface(std::vector<SplinePiece> pieces, int nControlPoints);
 
     const std::vector<SplinePiece>& pieces() const { return pieces_; }
-    int nControlPoints() const { return static_cast<int>(coordinates_.rows()); }
-
-    int nValues() const override { return nControlPoints(); }
-    /// Rows of control points that are on no piece are zero.
-    const Points& coordinates() const override { return coordinates_; }
-    double size() const override { return size_; }
-    Location locate(const Point& point) const override;
-
-    struct Projection {
-        int piece;
-        geometry::CurveProjection onCurve;
-    };
-    /// The closest piece; where pieces meet, the one named first.
-    Projection closest(const Point& point) const;
+    int nControlPoints() const { return nValues(); }
 
   private:
     std::vector<SplinePiece> pieces_;
-    std::vector<geometry::CurveProjector> projectors_;
-    Points coordinates_;
-    double size_;
 };
 
 } // namespace tokay::mapper
