@@ -5,13 +5,15 @@
 namespace tokay::coupling {
 
 IqnIls::IqnIls(const CouplingOptions& options)
-    : options_(options), V_(options.filter, options.filterLimit) {}
+    : options_(options), model_{FilteredQr(options.filter, options.filterLimit), {}},
+      modelAtBegin_(model_) {}
 
 void IqnIls::beginTimeStep() {
     previous_ = {};
-    while (!W_.empty() && W_.back().step < step_ - options_.reusedTimeSteps) {
-        removeOldest();
+    while (!model_.W.empty() && model_.W.back().step < step_ - options_.reusedTimeSteps) {
+        model_.removeOldest();
     }
+    modelAtBegin_ = model_;
 }
 
 Eigen::VectorXd IqnIls::next(const Eigen::VectorXd& x, const Eigen::VectorXd& xTilde,
@@ -22,7 +24,7 @@ Eigen::VectorXd IqnIls::next(const Eigen::VectorXd& x, const Eigen::VectorXd& xT
     }
     previous_ = now;
     const Eigen::VectorXd residual = xTilde - x;
-    if (W_.empty()) {
+    if (model_.W.empty()) {
         return x + options_.initialRelaxation * residual;
     }
     Eigen::VectorXd move = quasiNewtonStep(now);
@@ -41,54 +43,48 @@ void IqnIls::learn(const Exchange& now, double fluidResidual) {
         return;
     }
     const Eigen::VectorXd w = now.xTilde - previous_.xTilde;
-    W_.push_front({w, step_});
-    for (const int column : V_.prepend(w - dx)) {
-        W_.erase(W_.begin() + column);
+    model_.W.push_front({w, step_});
+    for (const int column : model_.V.prepend(w - dx)) {
+        model_.W.erase(model_.W.begin() + column);
     }
     while (nColumns() > options_.largestColumns) {
-        removeOldest();
+        model_.removeOldest();
     }
 }
 
 Eigen::VectorXd IqnIls::quasiNewtonStep(const Exchange& now) const {
     const Eigen::VectorXd residual = now.xTilde - now.x;
-    const Eigen::VectorXd coefficients = V_.solve(-residual);
+    const Eigen::VectorXd coefficients = model_.V.solve(-residual);
     Eigen::VectorXd move = residual;
-    for (std::size_t i = 0; i < W_.size(); ++i) {
-        move += coefficients[static_cast<Eigen::Index>(i)] * W_[i].w;
+    for (std::size_t i = 0; i < model_.W.size(); ++i) {
+        move += coefficients[static_cast<Eigen::Index>(i)] * model_.W[i].w;
     }
     return move;
 }
 
 void IqnIls::acceptTimeStep() {
     double largest = 0;
-    for (const Column& column : W_) {
+    for (const Column& column : model_.W) {
         if (column.step == step_) {
             largest = std::max(largest, column.w.norm());
         }
     }
     for (int i = nColumns() - 1; i >= 0; --i) {
-        const Column& column = W_[static_cast<std::size_t>(i)];
+        const Column& column = model_.W[static_cast<std::size_t>(i)];
         if (column.step == step_ && column.w.norm() < options_.keepFraction * largest) {
-            remove(i);
+            model_.remove(i);
         }
     }
     ++step_;
 }
 
 void IqnIls::rejectTimeStep() {
-    while (!W_.empty() && W_.front().step == step_) {
-        remove(0);
-    }
+    model_ = modelAtBegin_;
 }
 
-void IqnIls::remove(int column) {
-    V_.remove(column);
-    W_.erase(W_.begin() + column);
-}
-
-void IqnIls::removeOldest() {
-    remove(nColumns() - 1);
+void IqnIls::Model::remove(int column) {
+    V.remove(column);
+    W.erase(W.begin() + column);
 }
 
 } // namespace tokay::coupling

@@ -26,12 +26,18 @@ class IqnIls : public Accelerator {
                          double fluidResidual) override;
     void acceptTimeStep() override;
     void rejectTimeStep() override;
-    int nColumns() const override { return V_.nColumns(); }
+    int nColumns() const override { return model_.V.nColumns(); }
 
   private:
     struct Column {
         Eigen::VectorXd w; ///< difference of xTilde
         int step;
+    };
+    struct Model {
+        FilteredQr V;
+        std::deque<Column> W; ///< beside the columns of V
+        void remove(int column);
+        void removeOldest() { remove(V.nColumns() - 1); }
     };
     struct Exchange {
         Eigen::VectorXd x;
@@ -40,13 +46,11 @@ class IqnIls : public Accelerator {
 
     void learn(const Exchange& now, double fluidResidual);
     Eigen::VectorXd quasiNewtonStep(const Exchange& now) const;
-    void remove(int column);
-    void removeOldest();
 
     CouplingOptions options_;
-    FilteredQr V_;
-    std::deque<Column> W_; ///< beside the columns of V
-    Exchange previous_;    ///< empty: first exchange of the step
+    Model model_;
+    Model modelAtBegin_; ///< restored if the step is rejected
+    Exchange previous_;  ///< empty: first exchange of the step
     int step_ = 0;
 };
 

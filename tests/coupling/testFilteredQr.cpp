@@ -1,0 +1,134 @@
+#include "coupling/FilteredQr.hpp"
+
+#include <Eigen/QR>
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace tokay::coupling {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+MatrixXd orthonormalBasis(const FilteredQr& qr, Eigen::Index nRows) {
+    MatrixXd q(nRows, qr.nColumns());
+    for (int i = 0; i < qr.nColumns(); ++i) {
+        q.col(i) = qr.q()[static_cast<std::size_t>(i)];
+    }
+    return q;
+}
+
+/// Q is orthonormal, R upper triangular, and Q R gives the columns back; to
+/// rounding errors of some hundred operations on numbers of size one.
+void expectFactors(const FilteredQr& qr, const std::vector<VectorXd>& columns) {
+    ASSERT_EQ(qr.nColumns(), static_cast<int>(columns.size()));
+    const MatrixXd q = orthonormalBasis(qr, columns.front().size());
+    EXPECT_LT((q.transpose() * q - MatrixXd::Identity(q.cols(), q.cols())).norm(), 1e-13);
+    EXPECT_EQ(MatrixXd(qr.r().triangularView<Eigen::StrictlyLower>()).norm(), 0);
+    const MatrixXd product = q * qr.r();
+    for (int i = 0; i < qr.nColumns(); ++i) {
+        EXPECT_LT((product.col(i) - columns[static_cast<std::size_t>(i)]).norm(), 1e-13);
+    }
+}
+
+void erase(std::vector<VectorXd>& columns, const std::vector<int>& dropped) {
+    for (const int i : dropped) {
+        columns.erase(columns.begin() + i);
+    }
+}
+
+TEST(FilteredQr, factorsStayExactAsColumnsComeAndGo) {
+    std::srand(7);
+    FilteredQr qr(QrFilter::qr2, 0);
+    std::vector<VectorXd> columns;
+    std::size_t largest = 0;
+    for (int i = 0; i < 200; ++i) {
+        const VectorXd column = VectorXd::Random(12);
+        columns.insert(columns.begin(), column);
+        erase(columns, qr.prepend(column));
+        largest = std::max(largest, columns.size());
+        if (i % 3 == 0) {
+            const int victim = (i * 5) % qr.nColumns();
+            qr.remove(victim);
+            columns.erase(columns.begin() + victim);
+        }
+        if (!columns.empty()) {
+            expectFactors(qr, columns);
+        }
+    }
+    EXPECT_EQ(largest, 12u); // never more than rows
+}
+
+TEST(FilteredQr, solvesTheLeastSquaresProblem) {
+    std::srand(8);
+    FilteredQr qr(QrFilter::qr2, 1e-3);
+    MatrixXd V(9, 4);
+    for (int i = 3; i >= 0; --i) {
+        V.col(i) = VectorXd::Random(9);
+        ASSERT_TRUE(qr.prepend(V.col(i)).empty());
+    }
+    const VectorXd rightHandSide = VectorXd::Random(9);
+    const VectorXd expected = V.colPivHouseholderQr().solve(rightHandSide);
+    EXPECT_LT((qr.solve(rightHandSide) - expected).norm(), 1e-13 * expected.norm());
+}
+
+TEST(FilteredQr, dropsColumnsOfZeros) {
+    for (const QrFilter filter : {QrFilter::qr1, QrFilter::qr2}) {
+        FilteredQr qr(filter, 0);
+        EXPECT_EQ(qr.prepend(VectorXd::Zero(3)), std::vector<int>{0});
+        EXPECT_TRUE(qr.prepend(VectorXd::Unit(3, 0)).empty());
+        EXPECT_EQ(qr.prepend(VectorXd::Zero(3)), std::vector<int>{0});
+        expectFactors(qr, {VectorXd::Unit(3, 0)});
+    }
+}
+
+TEST(FilteredQr, dropsTheOlderOfTwoDependentColumns) {
+    for (const QrFilter filter : {QrFilter::qr1, QrFilter::qr2}) {
+        FilteredQr qr(filter, 0);
+        const VectorXd column = VectorXd::LinSpaced(5, 1, 2);
+        qr.prepend(column);
+        qr.prepend(VectorXd::Unit(5, 2));
+        EXPECT_EQ(qr.prepend(3 * column), std::vector<int>{2});
+        expectFactors(qr, {3 * column, VectorXd::Unit(5, 2)});
+    }
+}
+
+TEST(FilteredQr, keepsTheNewestOfMoreColumnsThanRows) {
+    std::srand(9);
+    FilteredQr qr(QrFilter::qr2, 0);
+    std::vector<VectorXd> columns;
+    for (int i = 0; i < 10; ++i) {
+        columns.insert(columns.begin(), VectorXd::Random(3));
+        erase(columns, qr.prepend(columns.front()));
+        expectFactors(qr, columns);
+    }
+    EXPECT_EQ(qr.nColumns(), 3);
+}
+
+TEST(FilteredQr, qr2JudgesAColumnByItsOwnLengthAndQr1ByTheLargest) {
+    // Small but independent: 1e-4 of the other column, at right angles to it.
+    const VectorXd large = VectorXd::Unit(4, 0);
+    const VectorXd small = 1e-4 * VectorXd::Unit(4, 1);
+    FilteredQr qr2(QrFilter::qr2, 0.01);
+    qr2.prepend(small);
+    EXPECT_TRUE(qr2.prepend(large).empty());
+    FilteredQr qr1(QrFilter::qr1, 0.01);
+    qr1.prepend(small);
+    EXPECT_EQ(qr1.prepend(large), std::vector<int>{1});
+}
+
+TEST(FilteredQr, limitIsTheSineOfTheAngleToTheNewerColumns) {
+    const auto dropsAtAngle = [](double sine) {
+        FilteredQr qr(QrFilter::qr2, 0.01);
+        VectorXd older(2);
+        older << std::sqrt(1 - sine * sine), sine;
+        qr.prepend(older);
+        return !qr.prepend(VectorXd::Unit(2, 0)).empty();
+    };
+    EXPECT_TRUE(dropsAtAngle(0.0099));
+    EXPECT_FALSE(dropsAtAngle(0.0101));
+}
+
+} // namespace
+} // namespace tokay::coupling

@@ -1,0 +1,205 @@
+#include "LinearResponse.hpp"
+#include "common/errors.hpp"
+#include "connectedPair.hpp"
+#include "coupling/FixedPointDriver.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace tokay::coupling {
+namespace {
+
+using Eigen::VectorXd;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+const double tolerance = 1e-6;
+
+LinearResponse exampleResponse() {
+    return addedMass(VectorXd::LinSpaced(4, 0.5, 20));
+}
+
+/// Iterates to convergence, then accepts as a fluid does that stays where it
+/// was in its last exchange.
+void runStep(FixedPointDriver& driver, const LinearResponse& response, double deltaT) {
+    VectorXd x = driver.beginTimeStep(deltaT);
+    for (int i = 0; i < 50; ++i) {
+        const Iteration iteration = driver.iterate(response(x), 0);
+        if (iteration.converged) {
+            break;
+        }
+        x = iteration.x;
+    }
+    ASSERT_TRUE(driver.statistics().converged);
+    EXPECT_LT(driver.acceptTimeStep(response(x)), tolerance);
+}
+
+TEST(FixedPointDriver, convergesToTheSolutionOfTheCoupledProblem) {
+    const LinearResponse response = exampleResponse();
+    FixedPointDriver driver(CouplingOptions(), tolerance, VectorXd::Zero(4));
+    VectorXd x = driver.beginTimeStep(0.1);
+    Iteration iteration;
+    while (!iteration.converged) {
+        iteration = driver.iterate(response(x), 0);
+        if (!iteration.converged) {
+            x = iteration.x;
+        }
+    }
+    // x - solution = (1 - A)^-1 (xTilde - x), and |(1 - A)^-1| < 1 here.
+    EXPECT_LT(response.error(x), 2 * tolerance);
+}
+
+TEST(FixedPointDriver, predictsFromWhatTheStructureAccepted) {
+    const LinearResponse response = exampleResponse();
+    FixedPointDriver driver(CouplingOptions(), tolerance, VectorXd::Zero(4));
+    runStep(driver, response, 0.1);
+    const VectorXd expected = 3 * response.solution(); // linear, the step twice as long
+    EXPECT_LT((driver.beginTimeStep(0.2) - expected).norm(), 10 * tolerance * expected.norm());
+}
+
+TEST(FixedPointDriver, aRejectedStepLeavesNoTrace) {
+    const LinearResponse response = exampleResponse();
+    FixedPointDriver driver(CouplingOptions(), tolerance, VectorXd::Zero(4));
+    FixedPointDriver undisturbed(CouplingOptions(), tolerance, VectorXd::Zero(4));
+    runStep(driver, response, 0.1);
+    runStep(undisturbed, response, 0.1);
+    const VectorXd x = driver.beginTimeStep(0.4);
+    driver.iterate(VectorXd::Constant(4, 1e6), 0);
+    driver.iterate(VectorXd::Constant(4, -1e9), 0);
+    driver.rejectTimeStep();
+    EXPECT_EQ(driver.beginTimeStep(0.1), undisturbed.beginTimeStep(0.1));
+    EXPECT_EQ(driver.iterate(2 * x, 0).x, undisturbed.iterate(2 * x, 0).x);
+}
+
+TEST(FixedPointDriver, finalResidualBelongsToTheDisplacementOfTheLastExchange) {
+    FixedPointDriver driver(CouplingOptions(), tolerance, VectorXd::Zero(1));
+    driver.beginTimeStep(0.1);
+    driver.iterate(VectorXd::Ones(1), 0); // proposes 0.1
+    driver.iterate(VectorXd::Ones(1), 0); // was at 0.1, proposes something else
+    EXPECT_NEAR(driver.acceptTimeStep(VectorXd::Ones(1)), 0.9, 1e-15);
+}
+
+TEST(FixedPointDriver, acceptsAStepWithoutAnyIteration) {
+    FixedPointDriver driver(CouplingOptions(), tolerance, VectorXd::Ones(1));
+    driver.beginTimeStep(0.1);
+    EXPECT_EQ(driver.acceptTimeStep(VectorXd::Constant(1, 2)), 0.5);
+    EXPECT_EQ(driver.statistics().nExchanges, 0);
+}
+
+TEST(FixedPointDriver, explicitCouplingTakesOneExchangeAndDoesNotMoveOn) {
+    CouplingOptions options;
+    options.acceleration = Acceleration::explicitCoupling;
+    FixedPointDriver driver(options, tolerance, VectorXd::Ones(1));
+    driver.beginTimeStep(0.1);
+    const Iteration iteration = driver.iterate(VectorXd::Constant(1, 2), 0);
+    EXPECT_TRUE(iteration.converged);
+    EXPECT_EQ(iteration.residual, 0);
+    EXPECT_EQ(iteration.x[0], 1);
+    EXPECT_EQ(driver.statistics().lastResidual, 0.5); // what it really was
+    EXPECT_FALSE(driver.statistics().converged);
+    driver.acceptTimeStep(VectorXd::Constant(1, 2));
+    EXPECT_EQ(driver.beginTimeStep(0.1)[0], 3);
+}
+
+TEST(FixedPointDriver, countsExchangesAndResidualsOfEachStep) {
+    const LinearResponse response = exampleResponse();
+    FixedPointDriver driver(CouplingOptions(), tolerance, VectorXd::Zero(4));
+    runStep(driver, response, 0.1);
+    EXPECT_GE(driver.statistics().nExchanges, 6); // four unknowns, and one to notice
+    EXPECT_EQ(driver.statistics().firstResidual, 1);
+    EXPECT_LT(driver.statistics().lastResidual, tolerance);
+    EXPECT_GT(driver.statistics().nColumns, 0);
+    driver.beginTimeStep(0.1);
+    EXPECT_EQ(driver.statistics().nExchanges, 0);
+}
+
+TEST(FixedPointDriver, valuesThatAreNotFiniteAreErrorsNamingTheComponent) {
+    FixedPointDriver driver(CouplingOptions(), tolerance, VectorXd::Zero(3));
+    driver.beginTimeStep(0.1);
+    VectorXd xTilde = VectorXd::Ones(3);
+    xTilde[2] = std::nan("");
+    EXPECT_THAT(errorOf<SolverError>([&] { driver.iterate(xTilde, 0); }),
+                AllOf(HasSubstr("component 2"), HasSubstr("nan")));
+    EXPECT_THROW(driver.acceptTimeStep(xTilde), SolverError);
+    EXPECT_THROW(driver.iterate(VectorXd::Ones(3), std::nan("")), SolverError);
+}
+
+TEST(ConvergenceCriteria, residualIsRelativeToTheDisplacement) {
+    ConvergenceCriteria criteria(CouplingOptions(), tolerance);
+    const VectorXd x = VectorXd::Constant(7, 3);
+    EXPECT_NEAR(criteria.residual(x, 1.01 * x, {}), 0.01 / 1.01, 1e-14);
+    EXPECT_NEAR(criteria.residual(1e-9 * x, 1.01e-9 * x, {}), 0.01 / 1.01, 1e-14);
+}
+
+TEST(ConvergenceCriteria, aStructureAtRestHasConverged) {
+    ConvergenceCriteria criteria(CouplingOptions(), tolerance);
+    EXPECT_EQ(criteria.residual(VectorXd::Zero(2), VectorXd::Zero(2), {}), 0);
+    EXPECT_EQ(criteria.residual(VectorXd::Zero(2), VectorXd::Ones(2), {}), 1);
+    EXPECT_EQ(criteria.residual(VectorXd::Ones(2), VectorXd::Zero(2), {}), 1);
+}
+
+TEST(ConvergenceCriteria, absoluteFloorIsReachedExactlyAtTheTolerance) {
+    CouplingOptions options;
+    options.absoluteDisplacement = 1e-3;
+    ConvergenceCriteria criteria(options, tolerance);
+    const auto residualOf = [&](double difference) {
+        return criteria.residual(VectorXd::Zero(5), VectorXd::Constant(5, difference), {});
+    };
+    EXPECT_LT(residualOf(0.99e-3), tolerance);
+    EXPECT_GT(residualOf(1.01e-3), tolerance);
+}
+
+TEST(ConvergenceCriteria, forceMustHoldStillToo) {
+    CouplingOptions options;
+    options.relativeForce = 1e-3;
+    ConvergenceCriteria criteria(options, tolerance);
+    const VectorXd x = VectorXd::Ones(2);
+    const VectorXd forces = VectorXd::Constant(3, 10);
+    criteria.beginTimeStep();
+    EXPECT_EQ(criteria.residual(x, x, forces), 1) << "no earlier force to compare with";
+    EXPECT_LT(criteria.residual(x, x, 1.0009 * forces), tolerance);
+    EXPECT_GT(criteria.residual(x, x, 1.0030 * forces), tolerance);
+    criteria.beginTimeStep();
+    EXPECT_EQ(criteria.residual(x, x, forces), 1) << "forces of another step do not count";
+    EXPECT_THROW(criteria.residual(x, x, {}), SolverError);
+}
+
+TEST(ConvergenceCriteria, toleranceOutOfItsRangeIsRefused) {
+    for (const double wrong : {0.0, -1e-4, 1.0, std::nan("")}) {
+        EXPECT_THROW(ConvergenceCriteria(CouplingOptions(), wrong), InputError) << wrong;
+    }
+}
+
+TEST(CouplingOptions, defaultsAreValid) {
+    EXPECT_NO_THROW(requireValid(CouplingOptions()));
+}
+
+TEST(CouplingOptions, valueOutOfItsRangeIsRefusedByNameAndValue) {
+    const auto expectRefusal = [](const char* name, auto CouplingOptions::*member, double value) {
+        CouplingOptions options;
+        options.*member = static_cast<std::decay_t<decltype(options.*member)>>(value);
+        EXPECT_THAT(errorOf<InputError>([&] { makeAccelerator(options); }),
+                    AllOf(HasSubstr(name), HasSubstr("must be")))
+            << value;
+    };
+    expectRefusal("relaxation is 0", &CouplingOptions::relaxation, 0);
+    expectRefusal("initialRelaxation is 2.5", &CouplingOptions::initialRelaxation, 2.5);
+    expectRefusal("smallestRelaxation is -1", &CouplingOptions::smallestRelaxation, -1);
+    expectRefusal("largestRelaxation is 0.001", &CouplingOptions::largestRelaxation, 0.001);
+    expectRefusal("reusedTimeSteps is -1", &CouplingOptions::reusedTimeSteps, -1);
+    expectRefusal("largestColumns is 0", &CouplingOptions::largestColumns, 0);
+    expectRefusal("filterLimit is 1", &CouplingOptions::filterLimit, 1);
+    expectRefusal("signalToNoise is -1", &CouplingOptions::signalToNoise, -1);
+    expectRefusal("largestStep is nan", &CouplingOptions::largestStep, std::nan(""));
+    expectRefusal("keepFraction is 1", &CouplingOptions::keepFraction, 1);
+    expectRefusal("absoluteDisplacement is inf", &CouplingOptions::absoluteDisplacement,
+                  std::numeric_limits<double>::infinity());
+    expectRefusal("relativeForce is -1", &CouplingOptions::relativeForce, -1);
+    expectRefusal("absoluteForce is -1", &CouplingOptions::absoluteForce, -1);
+}
+
+} // namespace
+} // namespace tokay::coupling

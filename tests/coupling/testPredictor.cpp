@@ -1,0 +1,57 @@
+#include "coupling/Predictor.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace tokay::coupling {
+namespace {
+
+using Eigen::VectorXd;
+
+/// A polynomial in time of the given degree, of two components.
+VectorXd polynomial(double time, int degree) {
+    VectorXd x(2);
+    x << 1 + 2 * std::pow(time, degree), 3 - std::pow(time, degree) + (degree > 0 ? time : 0);
+    return x;
+}
+
+/// Largest error of the prediction once there are enough steps, all unequal.
+double largestError(Extrapolation extrapolation, int degree) {
+    Predictor predictor(extrapolation, polynomial(0, degree));
+    double time = 0;
+    double error = 0;
+    for (int step = 0; step < 12; ++step) {
+        const double deltaT = 0.1 * (1 + step % 4);
+        time += deltaT;
+        if (step >= 2) {
+            const VectorXd difference = predictor.predict(deltaT) - polynomial(time, degree);
+            error = std::max(error, difference.cwiseAbs().maxCoeff());
+        }
+        predictor.accept(polynomial(time, degree), deltaT);
+    }
+    return error;
+}
+
+TEST(Predictor, isExactForPolynomialsOfItsDegreeWhateverTheTimeSteps) {
+    const double rounding = 1e-12; // values up to 20, factors up to 10
+    EXPECT_LT(largestError(Extrapolation::constant, 0), rounding);
+    EXPECT_LT(largestError(Extrapolation::linear, 1), rounding);
+    EXPECT_LT(largestError(Extrapolation::quadratic, 2), rounding);
+    EXPECT_LT(largestError(Extrapolation::quadratic, 1), rounding);
+}
+
+TEST(Predictor, isNotExactForPolynomialsOfAHigherDegree) {
+    EXPECT_GT(largestError(Extrapolation::constant, 1), 0.1);
+    EXPECT_GT(largestError(Extrapolation::linear, 2), 0.01);
+}
+
+TEST(Predictor, beginsWithTheDegreeThatTheHistoryAllows) {
+    Predictor predictor(Extrapolation::quadratic, VectorXd::Constant(1, 5));
+    EXPECT_EQ(predictor.predict(0.1)[0], 5);
+    predictor.accept(VectorXd::Constant(1, 6), 0.1);
+    EXPECT_NEAR(predictor.predict(0.2)[0], 8, 1e-13);
+}
+
+} // namespace
+} // namespace tokay::coupling

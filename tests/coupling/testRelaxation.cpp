@@ -1,0 +1,70 @@
+#include "LinearResponse.hpp"
+#include "coupling/Aitken.hpp"
+#include "coupling/ConstantRelaxation.hpp"
+#include "coupling/CouplingOptions.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace tokay::coupling {
+namespace {
+
+using Eigen::VectorXd;
+
+LinearResponse scalarResponse(double slope) {
+    return {Eigen::MatrixXd::Constant(1, 1, slope), VectorXd::Constant(1, 1)};
+}
+
+TEST(ConstantRelaxation, convergesAtTheRateOfTheory) {
+    // The error is multiplied by 1 - relaxation (1 - slope) each time.
+    const LinearResponse response = scalarResponse(-3);
+    ConstantRelaxation relaxation(0.2);
+    const double rate = std::abs(1 - 0.2 * (1 + 3));
+    EXPECT_NEAR(response.error(iterated(relaxation, response, 10)), std::pow(rate, 10),
+                1e-13); // rounding errors of values of size one
+}
+
+TEST(ConstantRelaxation, divergesWhereTheAddedMassIsTooLarge) {
+    const LinearResponse response = scalarResponse(-3);
+    ConstantRelaxation relaxation(0.6); // |1 - 0.6 * 4| > 1
+    EXPECT_GT(response.error(iterated(relaxation, response, 20)), 100);
+}
+
+TEST(Aitken, isExactForOneUnknownThatRespondsLinearly) {
+    for (const double slope : {-3.0, -0.5, 0.2, -40.0}) {
+        const LinearResponse response = scalarResponse(slope);
+        Aitken aitken{CouplingOptions()};
+        EXPECT_LT(response.error(iterated(aitken, response, 2)), 1e-13) << "slope " << slope;
+    }
+}
+
+TEST(Aitken, staysWithinItsBounds) {
+    CouplingOptions options;
+    options.smallestRelaxation = 0.05;
+    options.largestRelaxation = 0.4;
+    Aitken aitken(options);
+    iterated(aitken, scalarResponse(-99), 2); // wants 0.01
+    EXPECT_EQ(aitken.relaxation(), 0.05);
+    iterated(aitken, scalarResponse(0), 2); // wants 1
+    EXPECT_EQ(aitken.relaxation(), 0.4);
+}
+
+TEST(Aitken, startsAStepNoBolderThanItsFirst) {
+    Aitken aitken{CouplingOptions()};
+    iterated(aitken, scalarResponse(0), 2);
+    EXPECT_NEAR(aitken.relaxation(), 1, 1e-13);
+    aitken.beginTimeStep();
+    EXPECT_EQ(aitken.relaxation(), CouplingOptions().initialRelaxation);
+}
+
+TEST(Aitken, aResidualThatDoesNotChangeLeavesTheFactor) {
+    Aitken aitken{CouplingOptions()};
+    aitken.beginTimeStep();
+    const VectorXd x = VectorXd::Zero(1);
+    aitken.next(x, VectorXd::Ones(1), 0);
+    EXPECT_EQ(aitken.next(x, VectorXd::Ones(1), 0)[0], CouplingOptions().initialRelaxation);
+}
+
+} // namespace
+} // namespace tokay::coupling
