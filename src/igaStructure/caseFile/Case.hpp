@@ -1,61 +1,49 @@
 #pragma once
 
+#include "coupling/CouplingOptions.hpp"
 #include "geometry/NurbsSurface.hpp"
-#include "igaStructure/caseFile/Formula.hpp"
 #include "igaStructure/caseFile/OutputOptions.hpp"
+#include "igaStructure/model/Loads.hpp"
 #include "igaStructure/model/Material.hpp"
+#include "igaStructure/model/Strains.hpp"
+#include "igaStructure/model/Supports.hpp"
 #include "igaStructure/timeIntegration/NewtonOptions.hpp"
 #include "igaStructure/timeIntegration/TimeScheme.hpp"
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace tokay::structure {
 
-/// Zero displacement components of an edge.
-struct Support {
-    geometry::Edge edge = geometry::Edge::bottom;
-    std::array<bool, 2> fixed = {false, false};
-};
-
-/// Force per reference area on an edge [Pa]; keeps its direction.
-struct EdgeTraction {
-    geometry::Edge edge = geometry::Edge::left;
-    std::array<Formula, 2> traction;
-};
-
-/// Acceleration field that acts on the mass [m/s^2].
-struct Gravity {
-    std::array<Formula, 2> acceleration;
-};
-
-/// Time steps of a run alone.
+/// Time steps of a run alone, which begins at 0.
 struct TimeSteps {
-    double step = 0; ///< [s]
-    double end = 0;  ///< [s]
+    double step; ///< [s]
+    double end;  ///< [s]
 };
 
-/// All that a case file says, checked.
+/// Entries of `coupling` in the case file.
+struct Coupling {
+    std::vector<geometry::Edge> interface;
+    double gapLimit; ///< relative to the interface's extent
+    coupling::CouplingOptions options;
+};
+
+/// All that a case file says, checked and with its defaults.
 struct Case {
     std::string name;
     std::string file;
     std::string directory;          ///< of the case file; results go below it
     geometry::NurbsSurface surface; ///< refined
-    bool nonlinear = false;
+    Strains strains;
     Material material;
     std::vector<Support> supports;
-    std::vector<EdgeTraction> tractions;
-    std::vector<Gravity> gravities;
+    Loads loads;
     TimeScheme timeScheme;
     std::optional<TimeSteps> timeSteps;
     NewtonOptions newton;
     OutputOptions output;
-    std::optional<CouplingOptions> coupling;
+    std::optional<Coupling> coupling;
 };
-
-/// @throws InputError for the first mistake
-Case readCase(const std::string& fileName);
 
 } // namespace tokay::structure

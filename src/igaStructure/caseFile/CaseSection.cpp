@@ -85,6 +85,14 @@ bool CaseSection::has(const std::string& name) const {
     return implementation_->place.child(name).node.IsDefined();
 }
 
+std::vector<std::string> CaseSection::givenNames() const {
+    std::vector<std::string> names;
+    for (const auto& pair : implementation_->place.node) {
+        names.push_back(pair.first.Scalar());
+    }
+    return names;
+}
+
 double CaseSection::number(const std::string& name) const {
     return readNumber(implementation_->value(name));
 }

@@ -31,6 +31,9 @@ class CaseSection {
     /// Whether the file gives the entry; defaults do not count.
     bool has(const std::string& name) const;
 
+    /// Names of the entries that the file gives.
+    std::vector<std::string> givenNames() const;
+
     double number(const std::string& name) const;
     int integer(const std::string& name) const;
     bool yesNo(const std::string& name) const;

@@ -2,6 +2,7 @@
 
 #include "igaStructure/model/ExternalForce.hpp"
 #include "igaStructure/model/Material.hpp"
+#include "igaStructure/model/Strains.hpp"
 #include "igaStructure/model/StructuralModel.hpp"
 #include "igaStructure/model/Supports.hpp"
 #include "igaStructure/model/TabulatedBasis.hpp"
@@ -10,9 +11,6 @@
 namespace tokay::structure {
 
 class PlaneElement;
-
-/// Small or Green-Lagrange strains.
-enum class Strains { linear, nonlinear };
 
 /// State of a point of a plane body.
 struct PlaneState {

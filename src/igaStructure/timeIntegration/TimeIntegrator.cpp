@@ -221,9 +221,9 @@ TimeIntegrator::Balance TimeIntegrator::update(const VectorXd& update, const Bal
     const double work = std::abs(update.dot(current.residual));
     double length = 1;
     Balance next = balance(displacement_ + update);
-    while (newton_.lineSearch && length > shortest &&
-           !(next.smallestVolumeRatio > 0 &&
-             std::abs(update.dot(next.residual)) <= enough * work)) {
+    while (
+        newton_.lineSearch && length > shortest &&
+        !(next.smallestVolumeRatio > 0 && std::abs(update.dot(next.residual)) <= enough * work)) {
         length *= 0.5;
         next = balance(displacement_ + length * update);
     }

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "igaStructure/caseFile/Case.hpp"
+
+namespace tokay::structure {
+
+class CaseSection;
+
+/// Reads `coupling` of the case file.
+/// @throws InputError  also for an option that the chosen acceleration does not have
+Coupling readCoupling(const CaseSection& section);
+
+} // namespace tokay::structure

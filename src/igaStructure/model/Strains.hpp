@@ -1,0 +1,8 @@
+#pragma once
+
+namespace tokay::structure {
+
+/// Small strains and rotations, or Green-Lagrange strains.
+enum class Strains { linear, nonlinear };
+
+} // namespace tokay::structure

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "igaStructure/caseFile/OutputOptions.hpp"
+#include "igaStructure/model/PlaneSolid.hpp"
+#include "igaStructure/output/VtuMesh.hpp"
+#include "igaStructure/timeIntegration/TimeIntegrator.hpp"
+
+#include <optional>
+
+namespace tokay::structure {
+
+/// The deformed body at a series of times, for ParaView: a .vtu file a time
+/// and a .pvd file that lists them, rewritten with each. Nothing is written
+/// before the first result; it brings the state at the start with it.
+class ResultSeries {
+  public:
+    /// @param solid  is kept by reference
+    /// @param name   of the .pvd file, begins the names of the .vtu files
+    /// @param start  state at the start of the run
+    ResultSeries(const PlaneSolid& solid, const OutputOptions& options, std::string name,
+                 const MotionState& start);
+
+    /// @throws OutputError
+    void add(const MotionState& state);
+
+  private:
+    void addFile(const MotionState& state);
+    void writePvd() const;
+
+    const PlaneSolid& solid_;
+    OutputOptions options_;
+    std::string name_;
+    VtuMesh mesh_;
+    Eigen::MatrixXd referencePositions_;
+    std::optional<MotionState> start_; ///< until written
+    struct Entry {
+        double time;
+        std::string file;
+    };
+    std::vector<Entry> entries_;
+};
+
+} // namespace tokay::structure

@@ -1,0 +1,151 @@
+#include "igaStructure/output/VtuMesh.hpp"
+
+#include <Eigen/LU>
+
+#include <cmath>
+
+namespace tokay::structure {
+
+namespace {
+
+constexpr std::uint8_t vtkQuad = 9;
+constexpr std::uint8_t vtkBezierQuadrilateral = 77;
+
+// A grid of (nU + 1) x (nV + 1) points on each element, xi fastest.
+std::vector<Parameters> gridPoints(const geometry::NurbsSurface& surface, int nU, int nV) {
+    const std::vector<double>& xi = surface.u().breakpoints();
+    const std::vector<double>& eta = surface.v().breakpoints();
+    std::vector<Parameters> points;
+    for (std::size_t spanV = 0; spanV + 1 < eta.size(); ++spanV) {
+        for (std::size_t spanU = 0; spanU + 1 < xi.size(); ++spanU) {
+            for (int j = 0; j <= nV; ++j) {
+                for (int i = 0; i <= nU; ++i) {
+                    points.emplace_back(xi[spanU] + (xi[spanU + 1] - xi[spanU]) * i / nU,
+                                        eta[spanV] + (eta[spanV + 1] - eta[spanV]) * j / nV);
+                }
+            }
+        }
+    }
+    return points;
+}
+
+// Inverse of the Bernstein polynomials' values at equidistant points.
+Eigen::MatrixXd bernsteinInverse(int degree) {
+    Eigen::MatrixXd values(degree + 1, degree + 1);
+    for (int k = 0; k <= degree; ++k) {
+        const double s = static_cast<double>(k) / degree;
+        double binomial = 1;
+        for (int i = 0; i <= degree; ++i) {
+            values(k, i) = binomial * std::pow(s, i) * std::pow(1 - s, degree - i);
+            binomial *= static_cast<double>(degree - i) / (i + 1);
+        }
+    }
+    return values.inverse();
+}
+
+// VTK's number of point (i, j) in a cell: corners, edges, interior.
+// Source: vtkHigherOrderQuadrilateral::PointIndexFromIJK
+int vtkPointNumber(int i, int j, const Eigen::Vector2i& degrees) {
+    const int p = degrees[0];
+    const int q = degrees[1];
+    const bool onU = i == 0 || i == p;
+    const bool onV = j == 0 || j == q;
+    if (onU && onV) {
+        return i > 0 ? (j > 0 ? 2 : 1) : (j > 0 ? 3 : 0);
+    }
+    if (onV) {
+        return 4 + (i - 1) + (j > 0 ? p + q - 2 : 0);
+    }
+    if (onU) {
+        return 4 + (j - 1) + (i > 0 ? p - 1 : 2 * (p - 1) + q - 1);
+    }
+    return 4 + 2 * (p + q - 2) + (i - 1) + (p - 1) * (j - 1);
+}
+
+// Bernstein coefficients of values at the points of each cell.
+Eigen::MatrixXd toBernstein(const VtuMesh& mesh, const Eigen::MatrixXd& values) {
+    const int p = mesh.degrees[0];
+    const int q = mesh.degrees[1];
+    Eigen::MatrixXd result(values.rows(), values.cols());
+    for (Eigen::Index c = 0; c < values.rows(); ++c) {
+        const Eigen::RowVectorXd row = values.row(c);
+        Eigen::RowVectorXd coefficients(row.size());
+        for (Eigen::Index cell = 0; cell < row.size(); cell += mesh.cellSize) {
+            const Eigen::Map<const Eigen::MatrixXd> grid(row.data() + cell, p + 1, q + 1);
+            Eigen::Map<Eigen::MatrixXd>(coefficients.data() + cell, p + 1, q + 1) =
+                mesh.toBernsteinXi * grid * mesh.toBernsteinEta.transpose();
+        }
+        result.row(c) = coefficients;
+    }
+    return result;
+}
+
+} // namespace
+
+VtuMesh quadMesh(const geometry::NurbsSurface& surface, int subdivision) {
+    VtuMesh mesh;
+    mesh.cellType = vtkQuad;
+    mesh.points = gridPoints(surface, subdivision, subdivision);
+    const int rowLength = subdivision + 1;
+    const auto nPoints = static_cast<int>(mesh.points.size());
+    for (int first = 0; first < nPoints; first += rowLength * rowLength) {
+        for (int j = 0; j < subdivision; ++j) {
+            for (int i = 0; i < subdivision; ++i) {
+                const int corner = first + i + rowLength * j;
+                mesh.connectivity.insert(
+                    mesh.connectivity.end(),
+                    {corner, corner + 1, corner + 1 + rowLength, corner + rowLength});
+            }
+        }
+    }
+    return mesh;
+}
+
+VtuMesh bezierMesh(const geometry::NurbsSurface& surface) {
+    VtuMesh mesh;
+    const int p = surface.u().degree();
+    const int q = surface.v().degree();
+    mesh.cellType = vtkBezierQuadrilateral;
+    mesh.degrees = {p, q};
+    mesh.cellSize = (p + 1) * (q + 1);
+    mesh.points = gridPoints(surface, p, q);
+    mesh.toBernsteinXi = bernsteinInverse(p);
+    mesh.toBernsteinEta = bernsteinInverse(q);
+    const auto nPoints = static_cast<int>(mesh.points.size());
+    mesh.connectivity.resize(nPoints);
+    for (int first = 0; first < nPoints; first += mesh.cellSize) {
+        for (int j = 0; j <= q; ++j) {
+            for (int i = 0; i <= p; ++i) {
+                mesh.connectivity[first + vtkPointNumber(i, j, mesh.degrees)] =
+                    first + i + (p + 1) * j;
+            }
+        }
+    }
+    mesh.weights = Eigen::VectorXd::Ones(nPoints);
+    if (surface.isRational()) {
+        Eigen::MatrixXd weight(1, nPoints); // the denominator of the rational functions
+        const geometry::NurbsSurface denominator(
+            surface.u(), surface.v(),
+            geometry::Points(surface.weights() * Eigen::RowVector3d(1, 0, 0)));
+        for (int k = 0; k < nPoints; ++k) {
+            weight(0, k) = denominator.point(mesh.points[k][0], mesh.points[k][1])[0];
+        }
+        mesh.weights = toBernstein(mesh, weight).row(0).transpose();
+        mesh.denominators = weight.row(0).transpose();
+    }
+    return mesh;
+}
+
+Eigen::MatrixXd fileValues(const VtuMesh& mesh, const Eigen::MatrixXd& values) {
+    if (!mesh.isBezier()) {
+        return values;
+    }
+    if (mesh.denominators.size() == 0) {
+        return toBernstein(mesh, values);
+    }
+    // Numerators are polynomials: interpolate these, then divide by the weights.
+    const Eigen::MatrixXd numerators = values * mesh.denominators.asDiagonal();
+    return toBernstein(mesh, numerators) * mesh.weights.cwiseInverse().asDiagonal();
+}
+
+} // namespace tokay::structure

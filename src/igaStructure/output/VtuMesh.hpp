@@ -1,0 +1,42 @@
+#pragma once
+
+#include "geometry/NurbsSurface.hpp"
+#include "igaStructure/output/ResultField.hpp"
+
+#include <cstdint>
+
+namespace tokay::structure {
+
+/// Cells of a .vtu file and the places of a patch where its points lie.
+struct VtuMesh {
+    std::vector<Parameters> points; ///< where fields are evaluated
+    std::vector<std::int64_t> connectivity;
+    int cellSize = 4; ///< points a cell
+    std::uint8_t cellType = 9;
+
+    /// Bezier cells only: degrees of each cell; weight of each control point;
+    /// the rational functions' denominator at each point (empty: polynomial);
+    /// and the matrices that turn values at the points of a cell (xi fastest)
+    /// into Bernstein coefficients along xi and along eta.
+    Eigen::Vector2i degrees = {0, 0};
+    Eigen::VectorXd weights;
+    Eigen::VectorXd denominators;
+    Eigen::MatrixXd toBernsteinXi, toBernsteinEta;
+
+    bool isBezier() const { return degrees[0] > 0; }
+};
+
+/// Each element of the patch cut into subdivision x subdivision quadrilaterals.
+/// Elements do not share points, so that a field may jump between them.
+VtuMesh quadMesh(const geometry::NurbsSurface& surface, int subdivision);
+
+/// A VTK_BEZIER_QUADRILATERAL for each element, exact for the geometry and for
+/// fields of the patch's own basis, interpolating for others.
+VtuMesh bezierMesh(const geometry::NurbsSurface& surface);
+
+/// What the file says at a mesh's points: the values of a field, or for Bezier
+/// cells its control values.
+/// @param values  a column a point
+Eigen::MatrixXd fileValues(const VtuMesh& mesh, const Eigen::MatrixXd& values);
+
+} // namespace tokay::structure

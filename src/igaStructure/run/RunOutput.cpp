@@ -1,0 +1,105 @@
+#include "igaStructure/run/RunOutput.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace tokay::structure {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsBetween(Clock::time_point from, Clock::time_point to) {
+    return std::chrono::duration<double>(to - from).count();
+}
+
+// As OpenFOAM: postProcessing/<name>/<startTime>/<table>.dat
+std::string tablePath(const Case& structureCase, double startTime, const std::string& table) {
+    return fmt::format("{}/postProcessing/{}/{:g}/{}.dat", structureCase.directory,
+                       structureCase.name, startTime, table);
+}
+
+std::vector<std::string> withTime(const std::vector<std::string>& columns) {
+    std::vector<std::string> result = {"time[s]"};
+    result.insert(result.end(), columns.begin(), columns.end());
+    return result;
+}
+
+std::string duration(double seconds) {
+    const auto whole = std::llround(seconds);
+    if (whole >= 3600) {
+        return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
+    }
+    return whole >= 60 ? fmt::format("{} min {:02} s", whole / 60, whole % 60)
+                       : fmt::format("{} s", whole);
+}
+
+} // namespace
+
+RunOutput::RunOutput(const Case& structureCase, const PlaneSolid& solid, const MotionState& start,
+                     double endTime, Report report)
+    : watch_(solid, structureCase.output.watchPoints),
+      results_(solid, structureCase.output, structureCase.name, start),
+      watchTable_(tablePath(structureCase, start.time, "watchPoints"), withTime(watch_.columns())),
+      iterationTable_(tablePath(structureCase, start.time, "iterations"),
+                      {"time[s]", "exchanges", "firstResidual", "lastResidual", "columns",
+                       "newtonIterations", "total[s]", "waiting[s]", "mapping[s]", "solving[s]",
+                       "acceleration[s]", "output[s]"}),
+      energyTable_(tablePath(structureCase, start.time, "energy"),
+                   {"time[s]", "kinetic[J]", "strain[J]", "externalWork[J]", "dampingWork[J]"}),
+      startTime_(start.time), endTime_(endTime), report_(std::move(report)), start_(Clock::now()),
+      stepStart_(start_) {}
+
+void RunOutput::finishStep(const StepReport& step, const TimeIntegrator& integrator,
+                           PhaseTimer& timer, bool writeResults) {
+    if (writeResults) {
+        timer.time(Phase::output, [&] { results_.add(integrator.state()); });
+    }
+    const Clock::time_point now = Clock::now();
+    const double seconds = secondsBetween(stepStart_, now);
+    stepStart_ = now;
+    const Clock::time_point tablesStart = Clock::now();
+    writeTables(step, integrator, timer, seconds);
+    report_(logLine(step, integrator.state(), seconds));
+    timer.reset();
+    timer.add(Phase::output, secondsBetween(tablesStart, Clock::now()));
+}
+
+void RunOutput::writeTables(const StepReport& step, const TimeIntegrator& integrator,
+                            const PhaseTimer& timer, double seconds) {
+    const MotionState& state = integrator.state();
+    if (!watch_.isEmpty()) {
+        std::vector<double> row = {state.time};
+        const std::vector<double> values = watch_.values(state.displacement);
+        row.insert(row.end(), values.begin(), values.end());
+        watchTable_.addRow(row);
+    }
+    iterationTable_.addRow({state.time, static_cast<double>(step.nExchanges), step.firstResidual,
+                            step.lastResidual, static_cast<double>(step.nColumns),
+                            static_cast<double>(step.nIterations), seconds,
+                            timer.seconds(Phase::waiting), timer.seconds(Phase::mapping),
+                            timer.seconds(Phase::solving), timer.seconds(Phase::acceleration),
+                            timer.seconds(Phase::output)});
+    const Energies& energies = integrator.energies();
+    energyTable_.addRow({state.time, energies.kinetic, energies.strain, energies.externalWork,
+                         energies.dampingWork});
+}
+
+std::string RunOutput::logLine(const StepReport& step, const MotionState& state,
+                               double seconds) const {
+    const double done = (state.time - startTime_) / (endTime_ - startTime_);
+    const double toGo = secondsBetween(start_, stepStart_) * (1 - done) / done;
+    std::string line = fmt::format("step {} time {:.6g} s", step.step, state.time);
+    if (step.nExchanges > 0) {
+        line += fmt::format("  exchanges {} residual {:.2e}", step.nExchanges, step.lastResidual);
+    } else {
+        line += fmt::format("  iterations {} residual {:.2e}", step.nIterations, step.lastResidual);
+    }
+    if (!watch_.isEmpty()) {
+        line += "  " + watch_.text(state.displacement);
+    }
+    return line + fmt::format("  {:.3f} s/step, {} to go", seconds, duration(std::max(0.0, toGo)));
+}
+
+} // namespace tokay::structure

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "igaStructure/caseFile/Case.hpp"
+#include "igaStructure/output/ResultSeries.hpp"
+#include "igaStructure/output/ResultTable.hpp"
+#include "igaStructure/run/PhaseTimer.hpp"
+#include "igaStructure/run/StepReport.hpp"
+#include "igaStructure/run/Watch.hpp"
+
+namespace tokay::structure {
+
+/// All that a run tells: the log's line and the tables' rows of each time
+/// step, and the results for ParaView.
+class RunOutput {
+  public:
+    /// @param endTime  for the time to go [s]
+    /// @throws InputError for a watch point that is not on the body
+    RunOutput(const Case& structureCase, const PlaneSolid& solid, const MotionState& start,
+              double endTime, Report report);
+
+    /// Reports an accepted step and resets the timer.
+    /// @param writeResults  also the .vtu and .pvd files
+    /// @throws OutputError
+    void finishStep(const StepReport& step, const TimeIntegrator& integrator, PhaseTimer& timer,
+                    bool writeResults);
+
+  private:
+    void writeTables(const StepReport& step, const TimeIntegrator& integrator,
+                     const PhaseTimer& timer, double seconds);
+    std::string logLine(const StepReport& step, const MotionState& state, double seconds) const;
+
+    Watch watch_;
+    ResultSeries results_;
+    ResultTable watchTable_;
+    ResultTable iterationTable_;
+    ResultTable energyTable_;
+    double startTime_;
+    double endTime_;
+    Report report_;
+    std::chrono::steady_clock::time_point start_;
+    std::chrono::steady_clock::time_point stepStart_;
+};
+
+} // namespace tokay::structure

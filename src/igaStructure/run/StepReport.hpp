@@ -1,0 +1,21 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace tokay::structure {
+
+/// Takes one or more lines of text for the log.
+using Report = std::function<void(const std::string&)>;
+
+/// What the log and iterations.dat say about an accepted time step.
+struct StepReport {
+    int step = 0;
+    int nExchanges = 0;       ///< with the fluid; 0: run alone
+    int nIterations = 0;      ///< of Newton's method, all solves of the step
+    double firstResidual = 0; ///< of the coupling
+    double lastResidual = 0;  ///< coupling: of the final forces; alone: Newton's
+    int nColumns = 0;         ///< of the quasi-Newton model
+};
+
+} // namespace tokay::structure

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "igaStructure/caseFile/OutputOptions.hpp"
+#include "igaStructure/model/PlaneSolid.hpp"
+
+namespace tokay::structure {
+
+/// The watch points of a case, found on the body.
+class Watch {
+  public:
+    /// @throws InputError for a point that is not on the body
+    Watch(const PlaneSolid& solid, const std::vector<WatchPoint>& points);
+
+    bool isEmpty() const { return names_.empty(); }
+
+    /// "tip.x[m]", "tip.y[m]", …
+    std::vector<std::string> columns() const;
+
+    /// Displacements in the order of the columns [m].
+    std::vector<double> values(const Eigen::VectorXd& displacement) const;
+
+    /// "tip (0.0123, -0.0001) m" of the first point, for the log; empty if none.
+    std::string text(const Eigen::VectorXd& displacement) const;
+
+  private:
+    std::vector<std::string> names_;
+    std::vector<geometry::SurfaceBasis> bases_;
+};
+
+} // namespace tokay::structure

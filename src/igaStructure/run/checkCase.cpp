@@ -1,0 +1,83 @@
+#include "igaStructure/run/checkCase.hpp"
+
+#include "igaStructure/run/StructureSetup.hpp"
+#include "igaStructure/run/Watch.hpp"
+#include "igaStructure/timeIntegration/TimeIntegrator.hpp"
+
+#include <fmt/format.h>
+
+namespace tokay::structure {
+
+namespace {
+
+std::vector<std::string> edgeNames(const std::vector<geometry::Edge>& edges) {
+    std::vector<std::string> names;
+    for (geometry::Edge edge : edges) {
+        names.push_back(geometry::nameOf(edge));
+    }
+    return names;
+}
+
+const char* accelerationName(coupling::Acceleration acceleration) {
+    switch (acceleration) {
+    case coupling::Acceleration::explicitCoupling:
+        return "explicit";
+    case coupling::Acceleration::constant:
+        return "constant relaxation";
+    case coupling::Acceleration::aitken:
+        return "Aitken";
+    case coupling::Acceleration::iqnIls:
+        return "IQN-ILS";
+    }
+    return "";
+}
+
+std::string describeUse(const Case& structureCase) {
+    std::string text;
+    if (structureCase.timeSteps) {
+        text += fmt::format("  alone: to {:g} s by steps of {:g} s\n", structureCase.timeSteps->end,
+                            structureCase.timeSteps->step);
+    }
+    if (structureCase.coupling) {
+        const Coupling& coupling = *structureCase.coupling;
+        text += fmt::format("  coupled: interface {}, nearest element (gap limit {:g}), {}\n",
+                            fmt::join(edgeNames(coupling.interface), " "), coupling.gapLimit,
+                            accelerationName(coupling.options.acceleration));
+    }
+    return text;
+}
+
+std::string warnings(const Case& structureCase, const PlaneSolid& solid) {
+    std::string text;
+    if (!structureCase.coupling && !structureCase.timeSteps) {
+        text += "warning: there is neither coupling nor time.step and time.end: it cannot run\n";
+    }
+    if (structureCase.coupling && structureCase.timeSteps) {
+        text += "note: a coupled run takes time steps and end from the fluid; time.step and "
+                "time.end are for a run alone\n";
+    }
+    const std::vector<std::string> free = solid.freeRigidMotions();
+    if (!free.empty()) {
+        text += fmt::format("warning: supports do not prevent: {}\n", fmt::join(free, ", "));
+    }
+    if (blasLibrary().find("openblas") == std::string::npos) {
+        text += fmt::format("warning: slow linear algebra ({}); install libopenblas-dev\n",
+                            blasLibrary());
+    }
+    return text;
+}
+
+} // namespace
+
+std::string checkCase(const Case& structureCase) {
+    PlaneSolid solid = makeModel(structureCase);
+    const Watch watch(solid, structureCase.output.watchPoints);
+    const TimeIntegrator integrator(solid, structureCase.timeScheme, structureCase.newton, 0);
+    return describeModel(structureCase, solid) + describeUse(structureCase) +
+           fmt::format("  memory: {:.3g} MB for matrices, {:.3g} million entries in the factor\n",
+                       integrator.bytes() / 1e6, integrator.solver().nFactorEntries() / 1e6) +
+           fmt::format("  linear algebra: CHOLMOD on {}\n", blasLibrary()) +
+           warnings(structureCase, solid);
+}
+
+} // namespace tokay::structure
