@@ -5,14 +5,20 @@
 namespace tokay::mapper {
 
 std::string MappingReport::text() const {
-    return fmt::format("mapping: {}\n"
-                       "  points {} (unmatched {}, ambiguous {}), coverage {:.1f} %\n"
-                       "  largest gap {:.3g} m ({:.3g} of the interface size) at point {}\n"
-                       "  errors: constant {:.1e}, force sum {:.1e}, moment {:.1e}\n"
-                       "  built in {:.3g} s, {:.3g} MB\n",
-                       method, nPoints, nUnmatched, nAmbiguous, 100 * coverage, largestGap,
-                       relativeGap, worstPoint, rowSumError, forceSumError, momentError, seconds,
-                       bytes / 1e6);
+    std::string text =
+        fmt::format("mapping: {}\n"
+                    "  points {} (unmatched {}, ambiguous {}), coverage {:.1f} %\n"
+                    "  largest gap {:.3g} m ({:.3g} of the interface size) at point {}\n"
+                    "  errors: constant {:.1e}, force sum {:.1e}, moment {:.1e}\n",
+                    method, nPoints, nUnmatched, nAmbiguous, 100 * coverage, largestGap,
+                    relativeGap, worstPoint, rowSumError, forceSumError, momentError);
+    if (nUncovered > 0)
+        text += fmt::format("  destination values that get nothing: {}\n", nUncovered);
+    if (nInverted > 0)
+        text +=
+            fmt::format("  mass matrix {0} x {0}, rank {1}{2}, condition on the range {3:.3g}\n",
+                        nInverted, rank, rank < nInverted ? " (singular)" : "", condition);
+    return text + fmt::format("  built in {:.3g} s, {:.3g} MB\n", seconds, bytes / 1e6);
 }
 
 } // namespace tokay::mapper

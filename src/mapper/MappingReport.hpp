@@ -8,7 +8,7 @@ namespace tokay::mapper {
 /// relative; a moment error above rounding is the moment of forces over gaps.
 struct MappingReport {
     std::string method;
-    /// Destination points.
+    /// Destination points, or quadrature points on the destination.
     int nPoints = 0;
     /// Points with no projection within the gap limit.
     int nUnmatched = 0;
@@ -27,6 +27,13 @@ struct MappingReport {
     double forceSumError = 0;
     /// Error of the sum of moments mapped by the transpose.
     double momentError = 0;
+    /// Destination values that lie on the interface and get nothing.
+    int nUncovered = 0;
+    /// Size and rank of the matrix that was inverted, and its condition on the
+    /// range; 0 if there is none.
+    int nInverted = 0;
+    int rank = 0;
+    double condition = 0;
     /// To build the mapping.
     double seconds = 0;
     double bytes = 0;

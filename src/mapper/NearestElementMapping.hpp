@@ -1,22 +1,16 @@
 #pragma once
 
-#include "mapper/Discretisation.hpp"
-#include "mapper/MappingReport.hpp"
+#include "mapper/GapStatistics.hpp"
+#include "mapper/Mapping.hpp"
 #include "mapper/SparseMatrix.hpp"
 
 namespace tokay::mapper {
 
-struct GapLimit {
-    /// Largest gap allowed, relative to the size of the interface.
-    double relative = 0.01;
-    /// False: points beyond the limit are counted as unmatched and take the
-    /// values of their projection all the same.
-    bool refuse = true;
-};
-
 /// Values at points by the functions of the closest element: exact spline
-/// evaluation for a spline interface.
-class NearestElementMapping {
+/// evaluation for a spline interface, the nearest value for a point cloud.
+/// Points beyond a gap limit that does not refuse take their projection's value
+/// all the same.
+class NearestElementMapping : public Mapping {
   public:
     /// @param to  destination points, nTo x 3 [m]
     /// @throws InputError that names the worst point, its gap and the limit, if
@@ -27,21 +21,11 @@ class NearestElementMapping {
     /// nTo x nValues.
     const SparseMatrix& matrix() const { return matrix_; }
 
-    /// Consistent: constants (and what the elements can represent) are exact.
-    /// @param values  nValues x m
-    /// @return        nTo x m
-    Eigen::MatrixXd apply(const Eigen::MatrixXd& values) const;
-
-    /// Conservative: sums and virtual work are kept.
-    /// @param forces  nTo x m
-    /// @return        nValues x m
-    Eigen::MatrixXd applyTransposed(const Eigen::MatrixXd& forces) const;
-
-    const MappingReport& report() const { return report_; }
+    Eigen::MatrixXd apply(const Eigen::MatrixXd& values) const override;
+    Eigen::MatrixXd applyTransposed(const Eigen::MatrixXd& forces) const override;
 
   private:
     SparseMatrix matrix_;
-    MappingReport report_;
 };
 
 } // namespace tokay::mapper

@@ -7,14 +7,6 @@ namespace tokay::mapper {
 
 namespace {
 
-/// Forces without symmetry, the same in every run.
-Points testForces(Eigen::Index n) {
-    Points forces(n, 3);
-    for (Eigen::Index i = 0; i < n; ++i)
-        forces.row(i) << 1 + std::sin(1.0 + i), std::cos(2.0 * i) - 0.5, std::sin(3.0 * i) + 0.3;
-    return forces;
-}
-
 Point moment(const Points& positions, const Points& forces, const Point& about) {
     Point sum = Point::Zero();
     for (Eigen::Index i = 0; i < positions.rows(); ++i) {
@@ -26,13 +18,16 @@ Point moment(const Points& positions, const Points& forces, const Point& about) 
 
 } // namespace
 
-void measureConservation(const SparseMatrix& matrix, const Points& from, const Points& to,
-                         MappingReport& report) {
-    const Eigen::VectorXd ones = Eigen::VectorXd::Ones(matrix.cols());
-    report.rowSumError = ((matrix * ones).array() - 1).abs().maxCoeff();
+Points testForces(Eigen::Index n) {
+    Points forces(n, 3);
+    for (Eigen::Index i = 0; i < n; ++i)
+        forces.row(i) << 1 + std::sin(1.0 + i), std::cos(2.0 * i) - 0.5, std::sin(3.0 * i) + 0.3;
+    return forces;
+}
 
-    const Points forces = testForces(to.rows());
-    const Points mapped = matrix.transpose() * forces;
+void measureConservation(const Mapping& mapping, const Points& forces, const Points& from,
+                         const Points& to, MappingReport& report) {
+    const Points mapped = mapping.applyTransposed(forces);
     const double total = forces.rowwise().norm().sum();
     report.forceSumError = (forces.colwise().sum() - mapped.colwise().sum()).norm() / total;
 

@@ -1,17 +1,19 @@
 #pragma once
 
 #include "mapper/Discretisation.hpp"
-#include "mapper/MappingReport.hpp"
-#include "mapper/SparseMatrix.hpp"
+#include "mapper/Mapping.hpp"
 
 namespace tokay::mapper {
 
-/// Measures what a consistent matrix (nTo x nFrom) and its transpose keep and
-/// enters it in the report: constants, and the sum and the moment of a set of
-/// forces on the destination.
-/// @param from  coordinates of the source's values, nFrom x 3 [m]
-/// @param to    coordinates of the destination's values, nTo x 3 [m]
-void measureConservation(const SparseMatrix& matrix, const Points& from, const Points& to,
-                         MappingReport& report);
+/// n forces without symmetry, the same in every run.
+Points testForces(Eigen::Index n);
+
+/// Maps forces by the transpose and enters in the report how well their sum and
+/// their moment are kept.
+/// @param forces  on the destination's values, nTo x 3
+/// @param from    coordinates of the source's values, nFrom x 3 [m]
+/// @param to      coordinates of the destination's values, nTo x 3 [m]
+void measureConservation(const Mapping& mapping, const Points& forces, const Points& from,
+                         const Points& to, MappingReport& report);
 
 } // namespace tokay::mapper

@@ -3,6 +3,7 @@
 #include "geometry/primitives.hpp"
 #include "geometry/refinement.hpp"
 #include <cmath>
+#include <numeric>
 
 namespace tokay::mapper {
 
@@ -10,6 +11,17 @@ namespace {
 
 geometry::NurbsSurface flap() {
     return refine(geometry::rectangle(Point(-0.05, 0, 0), 0.1, 1), 2, 2, 2, 12);
+}
+
+std::vector<int> consecutive(int n) {
+    std::vector<int> numbers(n);
+    std::iota(numbers.begin(), numbers.end(), 0);
+    return numbers;
+}
+
+SplineInterface wholeCurve(const geometry::NurbsCurve& curve) {
+    const int n = curve.nControlPoints();
+    return SplineInterface({{curve, consecutive(n), "curve"}}, n);
 }
 
 } // namespace
@@ -39,13 +51,35 @@ Points flapPoints(int nPerEdge) {
     return points;
 }
 
+CurveInterface verticalMesh(int nElements, double x) {
+    Points vertices(nElements + 1, 3);
+    std::vector<std::array<int, 2>> elements;
+    for (int i = 0; i <= nElements; ++i) {
+        const double t = static_cast<double>(i) / nElements;
+        vertices.row(i) << x, t + 0.3 * t * (1 - t), 0;
+        if (i > 0)
+            elements.push_back({i - 1, i});
+    }
+    return lineMesh(vertices, elements);
+}
+
+SplineInterface verticalSpline(int degree, int nSpans, double x) {
+    return wholeCurve(refine(geometry::line(Point(x, 0, 0), Point(x, 1, 0)), degree, nSpans));
+}
+
+CurveInterface trimmedEdge(double xi) {
+    const double width = 2;
+    const geometry::NurbsSurface surface =
+        refine(geometry::rectangle(Point(-xi * width, 0, 0), width, 1), 2, 2, 2, 2);
+    std::vector<std::unique_ptr<InterfaceCurve>> curves;
+    curves.push_back(interfaceCurve(
+        geometry::CurveOnSurface(geometry::line(Point(xi, 0, 0), Point(xi, 1, 0)), surface),
+        consecutive(surface.nControlPoints())));
+    return CurveInterface(std::move(curves), surface.controlPoints());
+}
+
 SplineInterface quarterCircle(int degree, int nSpans) {
-    const geometry::NurbsCurve curve =
-        refine(geometry::arc(Point::Zero(), 1, 0, std::acos(0.0)), degree, nSpans);
-    std::vector<int> numbers(curve.nControlPoints());
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-        numbers[i] = static_cast<int>(i);
-    return SplineInterface({{curve, numbers, "arc"}}, curve.nControlPoints());
+    return wholeCurve(refine(geometry::arc(Point::Zero(), 1, 0, std::acos(0.0)), degree, nSpans));
 }
 
 } // namespace tokay::mapper

@@ -1,0 +1,169 @@
+#include "mapper/MassInverse.hpp"
+
+#include "common/errors.hpp"
+#include <Eigen/CholmodSupport>
+#include <Eigen/SPQRSupport>
+#include <fmt/format.h>
+#include <limits>
+
+namespace tokay::mapper {
+
+using ColumnMatrix = Eigen::SparseMatrix<double>;
+
+class MassInverse::Factorisation {
+  public:
+    virtual ~Factorisation() = default;
+    virtual Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs) const = 0;
+};
+
+class MassInverse::Cholesky : public Factorisation {
+  public:
+    explicit Cholesky(const ColumnMatrix& matrix) {
+        solver_.cholmod().print = 0; // a failure is reported by succeeded()
+        solver_.compute(matrix);
+    }
+    bool succeeded() const { return solver_.info() == Eigen::Success; }
+    Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs) const override { return solver_.solve(rhs); }
+
+  private:
+    Eigen::CholmodSupernodalLLT<ColumnMatrix> solver_;
+};
+
+/// Complete orthogonal decomposition: A P = Q R with R of rank rows, and the
+/// transpose of R decomposed again, gives the solution of least norm.
+/// Source: Golub & Van Loan, Matrix Computations, section 5.5.2
+class MassInverse::PseudoInverse : public Factorisation {
+  public:
+    explicit PseudoInverse(const ColumnMatrix& matrix) {
+        decompose(first_, matrix);
+        rank_ = static_cast<int>(first_.rank());
+        const ColumnMatrix rows = ColumnMatrix(first_.matrixR()).topRows(rank_);
+        decompose(second_, rows.transpose());
+        if (second_.rank() != rank_)
+            throw SolverError(fmt::format("The rank of the mass matrix could not be told: {} by "
+                                          "its columns, {} by its rows.",
+                                          rank_, second_.rank()));
+    }
+    int rank() const { return rank_; }
+
+    Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs) const override {
+        const Eigen::MatrixXd projected = first_.matrixQ().transpose() * rhs;
+        const Eigen::MatrixXd permuted =
+            second_.colsPermutation().transpose() * projected.topRows(rank_);
+        const ColumnMatrix triangle = ColumnMatrix(second_.matrixR()).topLeftCorner(rank_, rank_);
+        Eigen::MatrixXd padded = Eigen::MatrixXd::Zero(rhs.rows(), rhs.cols());
+        padded.topRows(rank_) = triangle.transpose().triangularView<Eigen::Lower>().solve(permuted);
+        const Eigen::MatrixXd rotated = second_.matrixQ() * padded;
+        return first_.colsPermutation() * rotated;
+    }
+
+  private:
+    static void decompose(Eigen::SPQR<ColumnMatrix>& qr, const ColumnMatrix& matrix) {
+        qr.compute(matrix);
+        if (qr.info() != Eigen::Success)
+            throw SolverError("The QR decomposition of the mass matrix failed (SPQR).");
+    }
+
+    Eigen::SPQR<ColumnMatrix> first_, second_;
+    int rank_;
+};
+
+namespace {
+
+std::vector<int> rowsNotZero(const SparseMatrix& matrix) {
+    std::vector<int> active;
+    for (int row = 0; row < matrix.rows(); ++row)
+        for (SparseMatrix::InnerIterator entry(matrix, row); entry; ++entry)
+            if (entry.value() != 0) {
+                active.push_back(row);
+                break;
+            }
+    return active;
+}
+
+ColumnMatrix restricted(const SparseMatrix& matrix, const std::vector<int>& active) {
+    std::vector<int> number(matrix.cols(), -1);
+    for (std::size_t i = 0; i < active.size(); ++i)
+        number[active[i]] = static_cast<int>(i);
+    std::vector<Eigen::Triplet<double>> entries;
+    for (const int row : active)
+        for (SparseMatrix::InnerIterator entry(matrix, row); entry; ++entry)
+            if (number[entry.col()] >= 0)
+                entries.emplace_back(number[row], number[entry.col()], entry.value());
+    const Eigen::Index n = static_cast<Eigen::Index>(active.size());
+    ColumnMatrix reduced(n, n);
+    reduced.setFromTriplets(entries.begin(), entries.end());
+    return reduced;
+}
+
+/// Largest eigenvalue of a symmetric operator without negative ones.
+template <class Operator>
+double largestEigenvalue(Eigen::Index n, const Operator& apply) {
+    Eigen::VectorXd v(n);
+    for (Eigen::Index i = 0; i < n; ++i)
+        v[i] = 1 + std::sin(1.0 + 3 * i); // no symmetry, so no eigenvector is missed
+    double eigenvalue = 0;
+    for (int iteration = 0; iteration < 300; ++iteration) {
+        v.normalize();
+        const Eigen::VectorXd next = apply(v);
+        const double previous = eigenvalue;
+        eigenvalue = v.dot(next);
+        if (!std::isfinite(eigenvalue))
+            return std::numeric_limits<double>::infinity();
+        if (std::abs(eigenvalue - previous) <= 1e-6 * std::abs(eigenvalue))
+            break;
+        v = next;
+    }
+    return eigenvalue;
+}
+
+} // namespace
+
+double MassInverse::conditionWith(const Factorisation& factorisation) const {
+    const auto forwards = [&](const Eigen::VectorXd& v) -> Eigen::VectorXd { return reduced_ * v; };
+    const auto backwards = [&](const Eigen::VectorXd& v) -> Eigen::VectorXd {
+        return factorisation.solve(v);
+    };
+    return largestEigenvalue(nActive(), forwards) * largestEigenvalue(nActive(), backwards);
+}
+
+MassInverse::MassInverse(const SparseMatrix& matrix, SingularMass singular)
+    : n_(static_cast<int>(matrix.rows())), active_(rowsNotZero(matrix)),
+      reduced_(restricted(matrix, active_)) {
+    if (active_.empty())
+        throw SolverError("The mass matrix is zero: the two sides of the interface do not meet.");
+    // Beyond this condition Cholesky's answer has no digit that SPQR would call certain.
+    constexpr double largestCondition = 1e13;
+    auto cholesky = std::make_unique<Cholesky>(reduced_);
+    if (cholesky->succeeded()) {
+        condition_ = conditionWith(*cholesky);
+        if (condition_ < largestCondition) {
+            rank_ = nActive();
+            factorisation_ = std::move(cholesky);
+            return;
+        }
+    }
+    auto pseudoInverse = std::make_unique<PseudoInverse>(reduced_);
+    rank_ = pseudoInverse->rank();
+    if (rank_ < nActive() && singular == SingularMass::refuse)
+        throw SolverError(fmt::format(
+            "The mass matrix of the destination is singular: {} functions reach the interface, "
+            "but their traces span only {} dimensions (a trimmed edge does that). Choose the "
+            "minimum norm solution, or map to an edge that the basis interpolates.",
+            nActive(), rank_));
+    condition_ = conditionWith(*pseudoInverse);
+    factorisation_ = std::move(pseudoInverse);
+}
+
+MassInverse::~MassInverse() = default;
+MassInverse::MassInverse(MassInverse&&) noexcept = default;
+MassInverse& MassInverse::operator=(MassInverse&&) noexcept = default;
+
+Eigen::MatrixXd MassInverse::solve(const Eigen::MatrixXd& rhs) const {
+    const Eigen::MatrixXd reduced = rhs(active_, Eigen::all);
+    Eigen::MatrixXd solution = Eigen::MatrixXd::Zero(n_, rhs.cols());
+    solution(active_, Eigen::all) = factorisation_->solve(reduced);
+    return solution;
+}
+
+} // namespace tokay::mapper

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "mapper/CurveInterface.hpp"
+#include "mapper/GapStatistics.hpp"
+#include "mapper/Mapping.hpp"
+#include "mapper/MassInverse.hpp"
+#include "mapper/MortarAssembler.hpp"
+#include <optional>
+
+namespace tokay::mapper {
+
+struct MortarOptions {
+    MortarBasis basis = MortarBasis::standard;
+    SingularMass singular = SingularMass::refuse;
+    GapLimit gapLimit;
+    /// Gauss points an interval beyond those that integrate straight elements
+    /// exactly: for curved and rational ones.
+    int nExtraPoints = 2;
+};
+
+/// L2 projection: M_DD phi_D = M_DO phi_O, integrated on the intersection of the
+/// two sides. Quadrature points beyond a gap limit that does not refuse are left
+/// out on both sides, so a partly covered destination still takes constants exactly.
+class MortarMapping : public Mapping {
+  public:
+    /// Between interfaces of curves: finite elements (lineMesh), splines, edges
+    /// of trimmed patches, in any combination.
+    /// @throws InputError for a gap beyond the limit
+    /// @throws SolverError for a singular M_DD that is not to be regularised
+    MortarMapping(const CurveInterface& from, const CurveInterface& to,
+                  const MortarOptions& options = {});
+
+    Eigen::MatrixXd apply(const Eigen::MatrixXd& values) const override;
+    Eigen::MatrixXd applyTransposed(const Eigen::MatrixXd& forces) const override;
+
+    /// M_DD, nTo x nTo (diagonal for the dual basis).
+    const SparseMatrix& massMatrix() const { return mass_; }
+    /// M_DO, nTo x nFrom.
+    const SparseMatrix& crossMatrix() const { return cross_; }
+
+  private:
+    void finish(const MortarAssembler& assembler, const MortarOptions& options,
+                const Discretisation& from, const Discretisation& to);
+
+    SparseMatrix mass_, cross_;
+    std::optional<MassInverse> inverse_;
+};
+
+} // namespace tokay::mapper
