@@ -1,0 +1,99 @@
+// The elastic tube of 10 cells, κ = 10, τ = 0.01: a fluid and a structure that
+// cannot be coupled by plain iteration, against their monolithic solution.
+#include "ElasticTube.hpp"
+#include "coupling/FixedPointDriver.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+namespace tokay::coupling {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr int nCells = 10;
+constexpr int nSteps = 100;
+constexpr double tolerance = 1e-7;
+
+struct Result {
+    double meanExchanges = 0;
+    double largestError = 0; ///< of x against the monolithic solution, relative
+};
+
+/// Runs all steps; each starts from the accepted partitioned solution.
+Result runTube(const CouplingOptions& options) {
+    ElasticTube tube(nCells, 10, 0.01);
+    FixedPointDriver driver(options, tolerance, VectorXd::Zero(nCells));
+    Result result;
+    for (int step = 0; step < nSteps; ++step) {
+        tube.beginTimeStep();
+        ElasticTube reference = tube;
+        const VectorXd exact = reference.monolithic();
+        VectorXd x = driver.beginTimeStep(tube.deltaT());
+        VectorXd xTilde;
+        for (int i = 0; i < 100; ++i) {
+            xTilde = tube.structure(tube.fluid(x));
+            const Iteration iteration = driver.iterate(xTilde, 0);
+            if (iteration.converged) {
+                break;
+            }
+            x = iteration.x;
+        }
+        EXPECT_TRUE(driver.statistics().converged) << "step " << step;
+        result.largestError = std::max(result.largestError, (x - exact).norm() / exact.norm());
+        result.meanExchanges += driver.statistics().nExchanges / double(nSteps);
+        driver.acceptTimeStep(xTilde);
+        tube.acceptTimeStep(x);
+    }
+    return result;
+}
+
+/// Published upper limits of an implementation of another house (FOAM-FSI,
+/// test_broydenpostprocessing) with the same extrapolation and tolerance.
+TEST(ElasticTube, iqnIlsNeedsNoMoreExchangesThanPublishedAndFindsTheMonolithicSolution) {
+    const struct {
+        int reusedTimeSteps;
+        double publishedLimit;
+    } cases[] = {{0, 10.7}, {1, 7.0}, {4, 5.8}, {8, 5.3}};
+    for (const auto& [reusedTimeSteps, publishedLimit] : cases) {
+        CouplingOptions options;
+        options.extrapolation = Extrapolation::quadratic;
+        options.reusedTimeSteps = reusedTimeSteps;
+        options.keepFraction = 0; // this fluid has no drift to guard against
+        const Result result = runTube(options);
+        std::printf("reuse %d: %.2f exchanges a step (published at most %.1f), error %.1e\n",
+                    reusedTimeSteps, result.meanExchanges, publishedLimit, result.largestError);
+        EXPECT_LE(result.meanExchanges, publishedLimit) << "reuse " << reusedTimeSteps;
+        // The error is the residual through (1 - S'F')^-1, here of norm one.
+        EXPECT_LT(result.largestError, 2 * tolerance);
+    }
+}
+
+TEST(ElasticTube, aitkenFindsTheMonolithicSolutionToo) {
+    CouplingOptions options;
+    options.acceleration = Acceleration::aitken;
+    const Result result = runTube(options);
+    std::printf("Aitken: %.2f exchanges a step, error %.1e\n", result.meanExchanges,
+                result.largestError);
+    EXPECT_LT(result.largestError, 2 * tolerance);
+}
+
+TEST(ElasticTube, explicitCouplingDiverges) {
+    CouplingOptions options;
+    options.acceleration = Acceleration::explicitCoupling;
+    ElasticTube tube(nCells, 10, 0.01);
+    FixedPointDriver driver(options, tolerance, VectorXd::Zero(nCells));
+    const auto run = [&] {
+        for (int step = 0; step < nSteps; ++step) {
+            tube.beginTimeStep();
+            const VectorXd x = driver.beginTimeStep(tube.deltaT());
+            driver.acceptTimeStep(tube.structure(tube.fluid(x)));
+            tube.acceptTimeStep(x);
+        }
+    };
+    EXPECT_ANY_THROW(run());
+}
+
+} // namespace
+} // namespace tokay::coupling
