@@ -1,7 +1,9 @@
 #include "common/errors.hpp"
 #include "common/version.hpp"
+#include "coupling/Listener.hpp"
 #include "igaStructure/caseFile/CaseEntry.hpp"
 #include "igaStructure/caseFile/readCase.hpp"
+#include "igaStructure/run/CoupledRun.hpp"
 #include "igaStructure/run/Interruption.hpp"
 #include "igaStructure/run/checkCase.hpp"
 #include "igaStructure/run/runAlone.hpp"
@@ -9,7 +11,10 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <csignal>
 #include <cstdio>
+#include <fstream>
+#include <memory>
 #include <new>
 
 namespace {
@@ -23,11 +28,71 @@ void print(const std::string& text) {
     std::fflush(stdout);
 }
 
+struct RunOptions {
+    std::string caseFile;
+    int fileDescriptor = -1;
+    std::string address;
+    std::string tokenFile;
+    structure::CoupledRunOptions coupled;
+};
+
+std::string readToken(const std::string& fileName) {
+    std::ifstream file(fileName);
+    std::string token;
+    if (!(file >> token)) {
+        throw InputError("cannot read a token from '" + fileName + "'");
+    }
+    return token;
+}
+
+coupling::Channel waitForFluid(const RunOptions& options) {
+    coupling::Listener listener(options.address, options.coupled.token);
+    listener.reportSilence(0.2, [](const std::string&) { structure::throwIfInterrupted(); });
+    print("waiting for a fluid at " + listener.address());
+    return listener.accept();
+}
+
+void run(RunOptions options) {
+    if (!options.tokenFile.empty()) {
+        options.coupled.token = readToken(options.tokenFile);
+    }
+    if (options.fileDescriptor < 0 && options.address.empty()) {
+        structure::runAlone(structure::readCase(options.caseFile), print);
+        return;
+    }
+    std::signal(SIGPIPE, SIG_IGN); // a closed log must not end a coupled run
+    if (!options.address.empty()) {
+        structure::readCase(options.caseFile); // a mistake is told before a fluid attaches
+    }
+    // A launching fluid must hear of a mistake in the case file: attach first, then read.
+    coupling::Channel channel = options.fileDescriptor >= 0
+                                    ? coupling::Channel::fromFileDescriptor(options.fileDescriptor)
+                                    : waitForFluid(options);
+    structure::runCoupled(options.caseFile, std::move(channel), options.coupled, print);
+}
+
 void addRun(CLI::App& app) {
-    CLI::App* run = app.add_subcommand("run", "Run a case, alone or coupled to a fluid");
-    auto caseFile = std::make_shared<std::string>();
-    run->add_option("CASE.yaml", *caseFile, "Case file")->required();
-    run->callback([=] { structure::runAlone(structure::readCase(*caseFile), print); });
+    CLI::App* command = app.add_subcommand("run", "Run a case, alone or coupled to a fluid");
+    auto options = std::make_shared<RunOptions>();
+    command->add_option("CASE.yaml", options->caseFile, "Case file")->required();
+    auto* descriptor = command->add_option("--channel-fd", options->fileDescriptor,
+                                           "Coupled, over this connected socket (set by a fluid "
+                                           "that launches this program)");
+    auto* listen =
+        command->add_option("--listen", options->address,
+                            "Coupled to a fluid that connects here: unix:/path or tcp://host:port");
+    listen->excludes(descriptor);
+    command
+        ->add_option("--token-file", options->tokenFile,
+                     "File with the secret shared with the fluid; needed with tcp")
+        ->needs(listen);
+    command->add_option("--record", options->coupled.recordFile,
+                        "Coupled: write accepted interface displacements to this file");
+    command->add_option("--replay", options->coupled.replayFile,
+                        "Coupled: answer the displacements of this file, solve no structure");
+    command->add_option("--silence-interval", options->coupled.silenceInterval,
+                        "Coupled: seconds after which a silent fluid is reported (60)");
+    command->callback([options] { run(*options); });
 }
 
 void addCheck(CLI::App& app) {

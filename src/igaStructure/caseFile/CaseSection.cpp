@@ -19,14 +19,13 @@ struct CaseSection::Implementation {
 
     // The entry as given, or its default.
     YamlPlace value(const std::string& name) const {
-        YamlPlace given = place.child(name);
+        const YamlPlace given = place.child(name);
         if (given.node.IsDefined()) {
             return given;
         }
         const CaseEntry* entry = findCaseEntry(given.tablePath);
         assert(entry && entry->presence == Presence::defaulted);
-        given.node = YAML::Load(entry->fallback);
-        return given;
+        return {given.file, YAML::Load(entry->fallback), given.tablePath, given.path};
     }
 
     template <class Read>

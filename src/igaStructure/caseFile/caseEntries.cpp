@@ -89,7 +89,7 @@ const std::vector<CaseEntry>& caseEntries() {
     {"loads[].gravity", Kind::formulas, optional, "", "m/s^2", "", 2,
      "Acceleration along x and y that acts on the mass."},
 
-    {"time", Kind::map, required, "", "", "", 0,
+    {"time", Kind::map, defaulted, "{}", "", "", 0,
      "Time integration."},
     {"time.scheme", Kind::word, defaulted, "generalisedAlpha", "", "generalisedAlpha newmark static", 0,
      "generalisedAlpha: Chung & Hulbert 1993, order 2, dissipates high frequencies only. newmark: by beta and gamma. static: no inertia, a load step each time step."},

@@ -59,7 +59,10 @@ class TimeIntegrator {
     /// Forgets the step; the state is as before beginTimeStep.
     void rejectTimeStep();
 
+    /// Accepted state.
     const MotionState& state() const { return state_; }
+    /// Of the last solve.
+    const Eigen::VectorXd& displacement() const { return displacement_; }
     const Energies& energies() const { return energies_; }
 
     /// Newton iterations of the last solve; 1 for a linear structure.

@@ -1,0 +1,176 @@
+#include "igaStructure/run/CoupledRun.hpp"
+
+#include "common/errors.hpp"
+#include "coupling/PeerError.hpp"
+#include "igaStructure/caseFile/readCase.hpp"
+#include "igaStructure/run/CoupledStructure.hpp"
+#include "igaStructure/run/FluidLink.hpp"
+#include "igaStructure/run/PrescribedStructure.hpp"
+#include "igaStructure/run/StructureSetup.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace tokay::structure {
+
+using coupling::BeginStep;
+using coupling::Displacements;
+using coupling::Forces;
+using coupling::Goodbye;
+using coupling::Interface;
+using coupling::State;
+
+namespace {
+
+/// The session with the fluid: which message follows which.
+class Session {
+  public:
+    Session(const Case& structureCase, FluidLink& link, const CoupledRunOptions& options,
+            Report report)
+        : case_(structureCase), link_(link), options_(options), report_(std::move(report)),
+          solid_(makeModel(structureCase)) {}
+
+    void run() {
+        report_(describeModel(case_, solid_));
+        start();
+        while (const std::optional<BeginStep> begin = nextStep()) {
+            advance(*begin);
+        }
+    }
+
+  private:
+    void start();
+    std::optional<BeginStep> nextStep();
+    void advance(const BeginStep& begin);
+    void send(State state, const Answer& answer);
+    void record(const Answer& accepted);
+
+    const Case& case_;
+    FluidLink& link_;
+    const CoupledRunOptions& options_;
+    Report report_;
+    PlaneSolid solid_;
+    PhaseTimer timer_;
+    std::optional<WetBoundary> boundary_;
+    std::unique_ptr<StructureSide> structure_;
+    std::optional<DisplacementRecorder> recorder_;
+    int step_ = 0;
+    double time_ = 0;
+};
+
+void requireStartFromRest(const Interface& fluid) {
+    const auto moved = std::find_if(fluid.displacements.begin(), fluid.displacements.end(),
+                                    [](double u) { return u != 0; });
+    if (moved != fluid.displacements.end()) {
+        throw InputError(fmt::format(
+            "the fluid's interface is displaced at its start time {:g} s (point {} by {:g} m), "
+            "but a structure starts undeformed: restart is not possible yet; start from time 0 "
+            "with pointDisplacement 0",
+            fluid.startTime, (moved - fluid.displacements.begin()) / fluid.dimension, *moved));
+    }
+}
+
+std::string describeInterface(const Interface& fluid, const WetBoundary& boundary) {
+    return fmt::format("interface {}: {} points, {} faces; from {:g} s to {:g} s, tolerance {:g}\n",
+                       fluid.name, boundary.nPoints(), boundary.nFaces(), fluid.startTime,
+                       fluid.endTime, fluid.tolerance);
+}
+
+void Session::start() {
+    const Interface fluid = link_.receive<Interface>("the fluid's interface");
+    boundary_.emplace(solid_, *case_.coupling, fluid);
+    requireStartFromRest(fluid);
+    if (options_.replayFile.empty()) {
+        structure_ =
+            std::make_unique<CoupledStructure>(case_, solid_, *boundary_, fluid, timer_, report_);
+    } else {
+        structure_ = std::make_unique<PrescribedStructure>(
+            DisplacementRecord(options_.replayFile, 2 * boundary_->nPoints()), report_);
+    }
+    if (!options_.recordFile.empty()) {
+        recorder_.emplace(options_.recordFile);
+    }
+    std::string text = describeInterface(fluid, *boundary_) + boundary_->report();
+    if (case_.timeSteps) {
+        text += "note: time steps and end come from the fluid; the case's time.step and time.end "
+                "are not used\n";
+    }
+    report_(text);
+    link_.send(coupling::Accepted{describeModel(case_, solid_) + text});
+}
+
+// The next step, or none if the fluid says goodbye.
+std::optional<BeginStep> Session::nextStep() {
+    coupling::Message message = timer_.time(Phase::waiting, [&] {
+        return link_.receive(fmt::format("the fluid's next time step, after step {}", step_));
+    });
+    if (const auto* goodbye = std::get_if<Goodbye>(&message)) {
+        report_("the fluid ends the run: " + goodbye->reason);
+        return std::nullopt;
+    }
+    if (const auto* begin = std::get_if<BeginStep>(&message)) {
+        return *begin;
+    }
+    throw coupling::PeerError("the fluid sent another message where a time step had to begin");
+}
+
+void Session::advance(const BeginStep& begin) {
+    step_ = static_cast<int>(begin.step);
+    time_ = begin.time;
+    if (!(begin.deltaT > 0)) {
+        throw coupling::PeerError(
+            fmt::format("the fluid's time step {} has a length of {} s", step_, begin.deltaT));
+    }
+    const Eigen::VectorXd predicted = structure_->beginTimeStep(step_, begin.time, begin.deltaT);
+    send(State::iterate, {predicted, 1, false});
+    while (true) {
+        const Forces forces = timer_.time(Phase::waiting, [&] {
+            return link_.receive<Forces>(fmt::format("the fluid's forces, step {}", step_));
+        });
+        if (forces.final) {
+            const Answer accepted = structure_->acceptTimeStep(forces.values, forces.write);
+            record(accepted);
+            send(State::accepted, accepted);
+            return;
+        }
+        const Answer answer = structure_->iterate(forces.values, forces.fluidResidual);
+        send(answer.converged ? State::converged : State::iterate, answer);
+    }
+}
+
+void Session::send(State state, const Answer& answer) {
+    const Eigen::VectorXd& values = answer.displacements;
+    link_.send(
+        Displacements{state, answer.residual, {values.data(), values.data() + values.size()}});
+}
+
+void Session::record(const Answer& accepted) {
+    if (recorder_) {
+        recorder_->add(time_, accepted.displacements);
+    }
+}
+
+} // namespace
+
+void runCoupled(const std::string& caseFile, coupling::Channel channel,
+                const CoupledRunOptions& options, const Report& report) {
+    FluidLink link(std::move(channel), options.silenceInterval, report);
+    try {
+        link.shakeHands(options.token);
+        const Case structureCase = readCase(caseFile);
+        if (!structureCase.coupling) {
+            throw InputError(structureCase.file + ": entry 'coupling' is missing: a coupled run "
+                                                  "needs it (coupling: {interface: [edges]})");
+        }
+        Session(structureCase, link, options, report).run();
+    } catch (const coupling::PeerFailure&) {
+        throw; // it has ended already
+    } catch (const std::exception& error) {
+        link.tellFailure(error.what());
+        throw;
+    }
+}
+
+} // namespace tokay::structure

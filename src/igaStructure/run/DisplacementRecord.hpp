@@ -1,0 +1,44 @@
+#pragma once
+
+#include "igaStructure/output/OutputFile.hpp"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tokay::structure {
+
+/// Writes the interface displacement of each accepted step, for a later run
+/// with prescribed motion. Text: a line a step, time and displacements.
+class DisplacementRecorder {
+  public:
+    explicit DisplacementRecorder(std::string path) : path_(std::move(path)) {}
+
+    /// @throws OutputError
+    void add(double time, const Eigen::VectorXd& displacements);
+
+  private:
+    std::string path_;
+    std::optional<OutputFile> file_;
+};
+
+/// Reads such a file.
+class DisplacementRecord {
+  public:
+    /// @param nValues  that each step must have
+    /// @throws InputError: file, line, what does not fit
+    DisplacementRecord(const std::string& path, Eigen::Index nValues);
+
+    /// Displacements at a time, between recorded ones interpolated linearly.
+    /// @throws InputError after the last recorded time
+    Eigen::VectorXd at(double time) const;
+
+  private:
+    std::string path_;
+    std::vector<double> times_;
+    std::vector<Eigen::VectorXd> displacements_;
+};
+
+} // namespace tokay::structure

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace tokay::structure {
+
+/// Answer of the structure's side to forces.
+struct Answer {
+    Eigen::VectorXd displacements; ///< of the fluid's points [m]
+    double residual = 1;           ///< of the coupling, to be below the fluid's tolerance
+    bool converged = false;
+};
+
+/// The structure as a coupled run sees it.
+class StructureSide {
+  public:
+    virtual ~StructureSide() = default;
+
+    /// @return  predicted displacements of the fluid's points [m]
+    virtual Eigen::VectorXd beginTimeStep(int step, double time, double deltaT) = 0;
+
+    /// @param forces         on the fluid's faces
+    /// @param fluidResidual  initial residual of its momentum equation
+    virtual Answer iterate(const std::vector<double>& forces, double fluidResidual) = 0;
+
+    /// The step ends with these forces.
+    /// @param writeResults  now
+    virtual Answer acceptTimeStep(const std::vector<double>& forces, bool writeResults) = 0;
+};
+
+} // namespace tokay::structure
