@@ -1,0 +1,68 @@
+#pragma once
+
+#include "geometry/BoxTree.hpp"
+#include "geometry/Triangle.hpp"
+#include "mapper/Discretisation.hpp"
+#include <memory>
+
+namespace tokay::mapper {
+
+/// Where a mesh carries its values: a finite element mesh at its vertices, a
+/// finite volume mesh on its faces.
+enum class ValuesAt { vertices, faces };
+
+/// A mesh of triangles, quadrilaterals and polygons, mixed as may be. A face of
+/// more than three vertices is cut into triangles around its centre, where the
+/// value is the mean of its vertices': so functions are continuous, linear
+/// fields exact, and warped faces have a definite shape. Values on faces are
+/// constant over them.
+class SurfaceMesh : public Discretisation {
+  public:
+    using Faces = std::vector<std::vector<int>>;
+
+    /// @param vertices  n x 3 [m]
+    /// @param faces     vertices of each, in order around it
+    /// @throws InputError naming the first face with too few vertices, one twice,
+    /// one that does not exist, or no area; or a vertex that is not finite
+    SurfaceMesh(Points vertices, Faces faces, ValuesAt valuesAt);
+
+    int nValues() const override { return static_cast<int>(coordinates().rows()); }
+    /// Vertices, or centroids of the faces.
+    const Points& coordinates() const override;
+    double size() const override { return size_; }
+    Location locate(const Point& point) const override;
+
+    const Points& vertices() const { return vertices_; }
+    int nFaces() const { return static_cast<int>(faces_.size()); }
+    /// All triangles; those of one face follow each other.
+    int nTriangles() const { return static_cast<int>(triangles_.size()); }
+    const geometry::Triangle& triangle(int i) const { return triangles_[i]; }
+    int faceOf(int triangle) const { return faceOf_[triangle]; }
+
+    /// Functions of the triangle's face; their list is the same for all of a
+    /// face's triangles. Outside the triangle they are continued linearly.
+    Functions functions(int triangle, const geometry::Barycentric& at) const;
+
+    /// Degree of the functions on a triangle.
+    int degree() const { return valuesAt_ == ValuesAt::vertices ? 1 : 0; }
+
+    /// Triangles whose boxes come within a distance of the box.
+    std::vector<int> trianglesNear(const geometry::Box& box, double distance) const;
+
+  private:
+    void checkFace(int face) const;
+    void addTriangles(int face);
+
+    Points vertices_;
+    Faces faces_;
+    ValuesAt valuesAt_;
+    Points centroids_;
+    std::vector<geometry::Triangle> triangles_;
+    std::vector<int> faceOf_;
+    /// Number in its face of the triangle's first vertex.
+    std::vector<int> startOf_;
+    double size_;
+    std::unique_ptr<geometry::BoxTree> tree_;
+};
+
+} // namespace tokay::mapper
