@@ -59,7 +59,7 @@ Foam::labelList Foam::couplingSession::selectPatches
 
     for (const wordRe& name : names)
     {
-        if (boundary.indices(name).empty())
+        if (boundary.patchSet(wordRes(1, name), false).empty())
         {
             FatalIOErrorInFunction(dict)
                 << "no patch matches '" << name << "' of the entry 'patches'"
