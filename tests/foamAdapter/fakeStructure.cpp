@@ -1,20 +1,21 @@
 // A structure that does as it is told: the other side of the adapter's tests.
 //
-// fakeStructure run CASE --behaviour NAME [--record FILE] --channel-fd N
+// fakeStructure run CASE [--behaviour NAME] [--record FILE]
+//               (--channel-fd N | --listen ADDRESS [--token TEXT])
 //   CASE is not read. Unless the behaviour says otherwise every answer is a
-//   rigid interface, or a prescribed sway, that has converged.
+//   rigid interface that has converged.
 
-#include "coupling/Channel.hpp"
+#include "Record.hpp"
+#include "coupling/Listener.hpp"
 #include "coupling/shakeHands.hpp"
 
 #include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
-#include <fstream>
 #include <iostream>
 #include <limits>
-#include <numeric>
+#include <optional>
 #include <string>
 #include <thread>
 #include <unistd.h>
@@ -26,7 +27,9 @@ using namespace tokay::coupling;
 
 struct Options {
     std::string behaviour = "rigid";
-    std::string recordFile; ///< gets the interface and the forces that arrive
+    std::string recordFile;
+    std::string address; ///< to listen at, in place of the channel
+    std::string token;
     int channel = -1;
 };
 
@@ -38,11 +41,24 @@ Options parse(int argc, char** argv) {
             options.behaviour = argv[++i];
         } else if (key == "--record") {
             options.recordFile = argv[++i];
+        } else if (key == "--listen") {
+            options.address = argv[++i];
+        } else if (key == "--token") {
+            options.token = argv[++i];
         } else if (key == "--channel-fd") {
             options.channel = std::stoi(argv[++i]);
         }
     }
     return options;
+}
+
+Channel openChannel(const Options& options) {
+    if (options.address.empty()) {
+        return Channel::fromFileDescriptor(options.channel);
+    }
+    Listener listener(options.address, options.token);
+    std::cout << "listening at " << listener.address() << std::endl;
+    return listener.accept();
 }
 
 void writeRaw(int fileDescriptor, const std::vector<unsigned char>& bytes) {
@@ -71,42 +87,45 @@ bool sendNonsense(const Options& options) {
 class Structure {
   public:
     explicit Structure(const Options& options)
-        : options_(options), channel_(Channel::fromFileDescriptor(options.channel)) {}
+        : options_(options), channel_(openChannel(options)), record_(options.recordFile) {}
 
     int run() {
         Hello own;
         own.role = Role::structure;
         own.program = "fakeStructure";
-        if (options_.behaviour == "otherVersion") {
+        own.token = options_.token;
+        if (behaves("otherVersion")) {
             own.protocol = protocolVersion + 1;
         }
         shakeHands(channel_, own);
         interface_ = channel_.receive<Interface>("the interface");
-        record();
-        if (options_.behaviour == "refuse") {
+        record_.add(interface_);
+        if (behaves("refuse")) {
             channel_.send(Failure{"this interface is not mine"});
             return 1;
         }
         channel_.send(Accepted{"fakeStructure, " + options_.behaviour});
-        return answer();
+        return converse();
     }
 
   private:
-    int answer() {
+    bool behaves(const char* behaviour) const { return options_.behaviour == behaviour; }
+
+    int converse() {
         for (;;) {
-            const Message message = channel_.receive("the fluid");
+            const Message message = channel_.receive("the fluid's next message");
             if (const auto* step = std::get_if<BeginStep>(&message)) {
+                record_.add(*step);
                 time_ = step->time;
                 exchange_ = 0;
-                channel_.send(displacements(State::iterate));
+                answer(State::iterate);
             } else if (const auto* forces = std::get_if<Forces>(&message)) {
+                record_.add(*forces);
                 ++exchange_;
-                record(*forces);
                 misbehave();
-                channel_.send(displacements(stateAfter(*forces)));
+                answer(stateAfter(*forces));
             } else if (std::get_if<Goodbye>(&message)) {
-                channel_.send(Goodbye{"as told"});
-                return options_.behaviour == "failsAtEnd" ? 3 : 0;
+                return end();
             }
         }
     }
@@ -115,77 +134,61 @@ class Structure {
         if (forces.final) {
             return State::accepted;
         }
-        return options_.behaviour == "neverConverges" ? State::iterate : State::converged;
+        const bool iterates = behaves("neverConverges") || (behaves("creeps") && exchange_ < 4);
+        return iterates ? State::iterate : State::converged;
     }
 
-    Displacements displacements(State state) const {
-        Displacements answer;
-        answer.state = state;
-        answer.residual = state == State::iterate ? 1 : 0;
-        answer.values.assign(interface_.points.size(), 0.0);
-        if (options_.behaviour == "sway") {
-            // Shear in x, proportional to the second coordinate
-            for (std::size_t i = 0; i < answer.values.size(); i += interface_.dimension) {
-                answer.values[i] = 0.05 * std::sin(20 * time_) * interface_.points[i + 1];
-            }
+    void answer(State state) {
+        Displacements displacements;
+        displacements.state = state;
+        displacements.residual = state == State::iterate ? 1 : 0;
+        displacements.values.assign(interface_.points.size(), 0.0);
+        if (behaves("sway") || behaves("creeps")) {
+            sway(displacements.values);
         }
-        if (options_.behaviour == "nan" && exchange_ > 0) {
-            answer.values.front() = std::numeric_limits<double>::quiet_NaN();
+        if (behaves("nan") && exchange_ > 0) {
+            displacements.values.back() = std::numeric_limits<double>::quiet_NaN();
         }
-        if (options_.behaviour == "tooFew") {
-            answer.values.pop_back();
+        if (behaves("tooFew")) {
+            displacements.values.pop_back();
         }
-        return answer;
+        record_.add(displacements);
+        channel_.send(displacements);
+    }
+
+    /// Shear in x, proportional to the last coordinate; with "creeps" each
+    /// exchange of a step adds to it, the last one too.
+    void sway(std::vector<double>& values) const {
+        const double amplitude =
+            0.05 * std::sin(20 * time_) * (behaves("creeps") ? 1 - std::pow(0.1, exchange_) : 1);
+        for (std::size_t i = 0; i < values.size(); i += interface_.dimension) {
+            values[i] = amplitude * interface_.points[i + interface_.dimension - 1];
+        }
     }
 
     void misbehave() const {
         if (sendNonsense(options_)) {
             std::exit(0);
         }
-        if (options_.behaviour == "dies") {
+        if (behaves("dies")) {
             std::raise(SIGKILL);
         }
-        if (options_.behaviour == "silent") {
-            std::this_thread::sleep_for(std::chrono::seconds(4));
+        if (behaves("silent") && time_ < 0.015) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(1500));
         }
     }
 
-    void record() const {
-        if (options_.recordFile.empty()) {
-            return;
+    int end() {
+        channel_.send(Goodbye{"as told"});
+        if (behaves("stays")) {
+            std::this_thread::sleep_for(std::chrono::hours(1));
         }
-        std::ofstream file(options_.recordFile);
-        file.precision(12);
-        const auto row = [&](const char* name, const auto& values) {
-            file << name;
-            for (const auto value : values) {
-                file << ' ' << value;
-            }
-            file << '\n';
-        };
-        file << "dimension " << interface_.dimension << '\n';
-        row("points", interface_.points);
-        row("faceOffsets", interface_.faceOffsets);
-        row("facePoints", interface_.facePoints);
-        row("displacements", interface_.displacements);
-        file << "tolerance " << interface_.tolerance << '\n';
-    }
-
-    void record(const Forces& forces) const {
-        if (options_.recordFile.empty()) {
-            return;
-        }
-        std::ofstream file(options_.recordFile, std::ios::app);
-        file.precision(12);
-        file << "forces " << time_ << ' ' << forces.final << ' ' << forces.write;
-        for (const double value : forces.values) {
-            file << ' ' << value;
-        }
-        file << '\n';
+        return behaves("failsAtEnd") ? 3 : 0;
     }
 
     Options options_;
     Channel channel_;
+    Record record_;
     Interface interface_;
     double time_ = 0;
     int exchange_ = 0;
