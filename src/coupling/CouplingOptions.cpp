@@ -42,6 +42,8 @@ void requireValid(const CouplingOptions& options) {
     require(options.reusedTimeSteps >= 0, "reusedTimeSteps", options.reusedTimeSteps,
             "0 or positive");
     require(options.largestColumns >= 1, "largestColumns", options.largestColumns, "positive");
+    require(options.largestRank >= 2, "largestRank", options.largestRank, "at least 2");
+    requireShare("rankLimit", options.rankLimit);
     requireShare("filterLimit", options.filterLimit);
     requireNotNegative("signalToNoise", options.signalToNoise);
     requireNotNegative("largestStep", options.largestStep);

@@ -7,7 +7,8 @@ enum class Acceleration {
     explicitCoupling, ///< one exchange a step, nothing iterated
     constant,         ///< constant relaxation
     aitken,           ///< Aitken's dynamic relaxation
-    iqnIls            ///< interface quasi-Newton, least squares
+    iqnIls,           ///< interface quasi-Newton, least squares
+    mvqn              ///< interface quasi-Newton, multi-vector (IMVJ)
 };
 
 /// Polynomial through the last accepted steps that starts the next one.
@@ -32,8 +33,12 @@ struct CouplingOptions {
     double largestRelaxation = 1.5;
 
     // Quasi-Newton
-    int reusedTimeSteps = 15; ///< earlier steps whose columns are used
-    int largestColumns = 30;  ///< columns kept at most, the newest
+    int reusedTimeSteps = 15; ///< IQN-ILS: earlier steps whose columns are used
+    int largestColumns = 30;  ///< IQN-ILS: columns kept at most, the newest
+    int largestRank = 60;     ///< multi-vector: rank of the Jacobian that makes
+                              ///< it restart with the half, by singular values
+    double rankLimit = 1e-6;  ///< multi-vector: at a restart singular values
+                              ///< below this share of the largest are dropped
     QrFilter filter = QrFilter::qr2;
     double filterLimit = 0.01;
 

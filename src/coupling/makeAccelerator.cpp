@@ -3,6 +3,7 @@
 #include "coupling/ConstantRelaxation.hpp"
 #include "coupling/CouplingOptions.hpp"
 #include "coupling/IqnIls.hpp"
+#include "coupling/Mvqn.hpp"
 
 namespace tokay::coupling {
 
@@ -17,6 +18,8 @@ std::unique_ptr<Accelerator> makeAccelerator(const CouplingOptions& options) {
         return std::make_unique<Aitken>(options);
     case Acceleration::iqnIls:
         return std::make_unique<IqnIls>(options);
+    case Acceleration::mvqn:
+        return std::make_unique<Mvqn>(options);
     }
     return nullptr;
 }

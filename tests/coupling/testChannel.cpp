@@ -10,6 +10,7 @@
 #include <chrono>
 #include <csignal>
 #include <fcntl.h>
+#include <random>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <thread>
@@ -182,6 +183,28 @@ TEST(Channel, refusesGarbage) {
     EXPECT_THAT(errorOf<PeerError>([&] { channel.receive("a message"); }),
                 HasSubstr("not a message of Tokay"));
     close(raw);
+}
+
+TEST(Channel, mutilatedFramesEndInAnErrorAndNeverHang) {
+    std::mt19937 random(5);
+    const std::vector<Message> messages = exampleMessages();
+    for (int i = 0; i < 1000; ++i) {
+        const auto [own, raw] = socketPair();
+        Channel channel = Channel::fromFileDescriptor(own);
+        Bytes frame = encodeFrame(messages[random() % messages.size()]);
+        for (int flips = 0; flips < 3; ++flips) {
+            frame[random() % frame.size()] ^= static_cast<std::uint8_t>(1u << (random() % 8));
+        }
+        frame.resize(frame.size() - random() % 4);
+        writeRaw(raw, frame);
+        close(raw);
+        EXPECT_THROW(
+            {
+                channel.receive("a message"); // if it was still one, the stream's end follows
+                channel.receive("a message");
+            },
+            PeerError);
+    }
 }
 
 TEST(Channel, refusesLargeMessagesBeforeTheHandshake) {

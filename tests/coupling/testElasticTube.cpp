@@ -70,6 +70,21 @@ TEST(ElasticTube, iqnIlsNeedsNoMoreExchangesThanPublishedAndFindsTheMonolithicSo
     }
 }
 
+/// Carrying the Jacobian over needs no more than the best of the published
+/// limits, those of eight reused steps, and its cost does not grow with time.
+TEST(ElasticTube, mvqnDoesAtLeastAsWellWithABoundedRank) {
+    CouplingOptions options;
+    options.acceleration = Acceleration::mvqn;
+    options.extrapolation = Extrapolation::quadratic;
+    options.keepFraction = 0;
+    options.largestRank = 20; // restarts with ten, the number of unknowns
+    const Result result = runTube(options);
+    std::printf("MVQN: %.2f exchanges a step, error %.1e\n", result.meanExchanges,
+                result.largestError);
+    EXPECT_LE(result.meanExchanges, 5.3);
+    EXPECT_LT(result.largestError, 2 * tolerance);
+}
+
 TEST(ElasticTube, aitkenFindsTheMonolithicSolutionToo) {
     CouplingOptions options;
     options.acceleration = Acceleration::aitken;

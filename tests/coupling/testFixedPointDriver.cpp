@@ -191,6 +191,8 @@ TEST(CouplingOptions, valueOutOfItsRangeIsRefusedByNameAndValue) {
     expectRefusal("largestRelaxation is 0.001", &CouplingOptions::largestRelaxation, 0.001);
     expectRefusal("reusedTimeSteps is -1", &CouplingOptions::reusedTimeSteps, -1);
     expectRefusal("largestColumns is 0", &CouplingOptions::largestColumns, 0);
+    expectRefusal("largestRank is 1", &CouplingOptions::largestRank, 1);
+    expectRefusal("rankLimit is 1", &CouplingOptions::rankLimit, 1);
     expectRefusal("filterLimit is 1", &CouplingOptions::filterLimit, 1);
     expectRefusal("signalToNoise is -1", &CouplingOptions::signalToNoise, -1);
     expectRefusal("largestStep is nan", &CouplingOptions::largestStep, std::nan(""));

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace tokay::coupling {
+
+/// A Bᵀ: a matrix of many rows and columns and of small rank, which grows by
+/// appended terms and can be compressed to its largest singular values.
+class LowRankMatrix {
+  public:
+    /// Rank of the representation; 0: the zero matrix.
+    int rank() const { return static_cast<int>(A_.cols()); }
+
+    /// Adds A Bᵀ; A and B have as many columns as the term has rank.
+    void append(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
+
+    /// Keeps at most largestRank singular values, and none below relativeLimit
+    /// times the largest. The error in the 2-norm is the first that is left
+    /// out.
+    void compress(int largestRank, double relativeLimit);
+
+    void scale(double factor) { A_ *= factor; }
+
+    /// A Bᵀ v; zero of nRows if the rank is 0.
+    Eigen::VectorXd apply(const Eigen::VectorXd& v, Eigen::Index nRows) const;
+
+    const Eigen::MatrixXd& A() const { return A_; }
+    const Eigen::MatrixXd& B() const { return B_; }
+
+  private:
+    Eigen::MatrixXd A_;
+    Eigen::MatrixXd B_;
+};
+
+} // namespace tokay::coupling

@@ -1,0 +1,35 @@
+#include "coupling/QuasiNewton.hpp"
+
+namespace tokay::coupling {
+
+Eigen::VectorXd QuasiNewton::next(const Eigen::VectorXd& x, const Eigen::VectorXd& xTilde,
+                                  double fluidResidual) {
+    const Exchange now{x, xTilde};
+    if (previous_.x.size() != 0 && teaches(now, fluidResidual)) {
+        const Eigen::VectorXd w = xTilde - previous_.xTilde;
+        learn(w - (x - previous_.x), w);
+    }
+    previous_ = now;
+    const Eigen::VectorXd residual = xTilde - x;
+    if (isIgnorant()) {
+        return x + options_.initialRelaxation * residual;
+    }
+    Eigen::VectorXd move = residual - response(residual);
+    limit(move, residual.norm());
+    return x + move;
+}
+
+/// A move within the fluid's own error teaches nothing but its drift.
+bool QuasiNewton::teaches(const Exchange& now, double fluidResidual) const {
+    const double noise = options_.signalToNoise * fluidResidual * now.xTilde.norm();
+    return (now.x - previous_.x).norm() > noise;
+}
+
+void QuasiNewton::limit(Eigen::VectorXd& move, double residualNorm) const {
+    const double longest = options_.largestStep * residualNorm;
+    if (longest > 0 && move.norm() > longest) {
+        move *= longest / move.norm();
+    }
+}
+
+} // namespace tokay::coupling
