@@ -3,6 +3,7 @@
 #include "mapper/Stopwatch.hpp"
 #include "mapper/conservation.hpp"
 #include "mapper/curveIntersection.hpp"
+#include "mapper/meshIntersection.hpp"
 
 namespace tokay::mapper {
 
@@ -12,6 +13,17 @@ MortarMapping::MortarMapping(const CurveInterface& from, const CurveInterface& t
     MortarAssembler assembler(to.nValues(), from.nValues(), options.basis);
     GapStatistics gaps(options.gapLimit, from.size());
     integrateIntersection(from, to, options.gapLimit, options.nExtraPoints, assembler, gaps);
+    gaps.enter(report_);
+    finish(assembler, options, from, to);
+    report_.seconds = watch.seconds();
+}
+
+MortarMapping::MortarMapping(const SurfaceMesh& from, const SurfaceMesh& to,
+                             const MortarOptions& options) {
+    const Stopwatch watch;
+    MortarAssembler assembler(to.nValues(), from.nValues(), options.basis);
+    GapStatistics gaps(options.gapLimit, from.size());
+    integrateIntersection(from, to, options.gapLimit, assembler, gaps);
     gaps.enter(report_);
     finish(assembler, options, from, to);
     report_.seconds = watch.seconds();

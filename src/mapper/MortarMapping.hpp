@@ -5,6 +5,7 @@
 #include "mapper/Mapping.hpp"
 #include "mapper/MassInverse.hpp"
 #include "mapper/MortarAssembler.hpp"
+#include "mapper/SurfaceMesh.hpp"
 #include <optional>
 
 namespace tokay::mapper {
@@ -28,6 +29,12 @@ class MortarMapping : public Mapping {
     /// @throws InputError for a gap beyond the limit
     /// @throws SolverError for a singular M_DD that is not to be regularised
     MortarMapping(const CurveInterface& from, const CurveInterface& to,
+                  const MortarOptions& options = {});
+
+    /// Between meshes of a surface, values at vertices or on faces on either side.
+    /// Parts of the destination that no source face projects onto are left out
+    /// and counted in the coverage.
+    MortarMapping(const SurfaceMesh& from, const SurfaceMesh& to,
                   const MortarOptions& options = {});
 
     Eigen::MatrixXd apply(const Eigen::MatrixXd& values) const override;

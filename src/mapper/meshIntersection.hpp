@@ -1,0 +1,14 @@
+#pragma once
+
+#include "mapper/GapStatistics.hpp"
+#include "mapper/MortarAssembler.hpp"
+#include "mapper/SurfaceMesh.hpp"
+
+namespace tokay::mapper {
+
+/// Integrates over the destination's triangles: those of the source near one are
+/// projected onto its plane, intersected with it, and the pieces triangulated.
+void integrateIntersection(const SurfaceMesh& from, const SurfaceMesh& to, const GapLimit& gapLimit,
+                           MortarAssembler& assembler, GapStatistics& gaps);
+
+} // namespace tokay::mapper
