@@ -99,6 +99,13 @@ PlaneBezier PlaneBezier::withEnds(const ParameterPoint& start, const ParameterPo
     return moved;
 }
 
+PlaneBezier PlaneBezier::reversed() const {
+    PlaneBezier result = *this;
+    result.controls_ = controls_.rowwise().reverse();
+    std::swap(result.start_, result.end_);
+    return result;
+}
+
 PlaneBezier PlaneBezier::scaled(const ParameterPoint& origin, const ParameterPoint& scale) const {
     PlaneBezier result = *this;
     const auto map = [&](const ParameterPoint& point) {

@@ -38,6 +38,9 @@ class PlaneBezier {
     /// The same curve with other ends, next to its own.
     PlaneBezier withEnds(const ParameterPoint& start, const ParameterPoint& end) const;
 
+    /// The same curve run through backwards.
+    PlaneBezier reversed() const;
+
     /// The curve in coordinates (point - origin) * scale, for each direction.
     PlaneBezier scaled(const ParameterPoint& origin, const ParameterPoint& scale) const;
 
