@@ -209,6 +209,25 @@ std::vector<double> Foam::couplingInterface::components
 }
 
 
+Foam::vectorField Foam::couplingInterface::rankValues
+(
+    const std::vector<double>& values,
+    const label rank
+) const
+{
+    vectorField field(rankPoints_[rank].size(), Zero);
+    forAll(field, i)
+    {
+        const label row = rankPoints_[rank][i]*components_.size();
+        forAll(components_, c)
+        {
+            field[i][components_[c]] = values[row + c];
+        }
+    }
+    return field;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::couplingInterface::couplingInterface
@@ -333,25 +352,32 @@ Foam::List<Foam::vectorField> Foam::couplingInterface::distribute
     const std::vector<double>& values
 ) const
 {
-    List<vectorField> all(Pstream::nProcs());
+    // Not scatterList, which leaves out what belongs to the receiver
+    vectorField own;
     if (Pstream::master())
     {
-        forAll(all, rank)
+        own = rankValues(values, Pstream::masterNo());
+        for
+        (
+            label rank = Pstream::firstSlave();
+            rank <= Pstream::lastSlave();
+            ++rank
+        )
         {
-            all[rank].setSize(rankPoints_[rank].size(), Zero);
-            forAll(all[rank], i)
-            {
-                const label row = rankPoints_[rank][i]*components_.size();
-                forAll(components_, c)
-                {
-                    all[rank][i][components_[c]] = values[row + c];
-                }
-            }
+            OPstream toRank(Pstream::commsTypes::scheduled, rank);
+            toRank << rankValues(values, rank);
         }
     }
-    Pstream::scatterList(all);
+    else
+    {
+        IPstream fromMaster
+        (
+            Pstream::commsTypes::scheduled,
+            Pstream::masterNo()
+        );
+        fromMaster >> own;
+    }
 
-    const vectorField& own = all[Pstream::myProcNo()];
     List<vectorField> patchValues(patches_.size());
     label start = 0;
     forAll(patches_, i)
