@@ -1,0 +1,112 @@
+#!/usr/bin/env bash
+# The structure's displacement arrives at the mesh points.
+source "$(dirname "$0")/harness.sh"
+
+# movedPoints BEFORE AFTER: "x y z dx dy dz" of each point of two files of points
+movedPoints()
+{
+    paste -d ' ' <(grep '^(.*)$' "$1") <(grep '^(.*)$' "$2") | tr -d '()' \
+        | awk -v OFMT=%.15g '{ print $1, $2, $3, $4 - $1, $5 - $2, $6 - $3 }'
+}
+
+# flapPoints ACROSS UP: of such rows those on the flap, where these columns are
+# the coordinates across and along it. The flap has no mesh inside
+flapPoints()
+{
+    awk -v a="$1" -v u="$2" '$a > -0.0501 && $a < 0.0501 && $u < 1.0001' | sort
+}
+
+# expectSway ACROSS UP FILE NPOINTS: the rows have fakeStructure's sway at 0.03 s
+expectSway()
+{
+    expectEqual "points on the flap" "$(wc -l < "$3")" "$4"
+    awk -v a="$1" -v u="$2" -v OFMT=%.15g '
+        { for (c = 1; c <= 3; ++c) print c == a ? 0.05*sin(20*0.03)*$u : 0 }' "$3" > expected
+    awk '{ print $4; print $5; print $6 }' "$3" > actual
+    # Coordinates of up to 4 with 14 digits, against displacements of 0.03
+    expectSameTable displacement 1e-11 expected actual
+}
+
+writeAtEnd()
+{
+    entry system/controlDict writeInterval 0.03
+}
+
+property plane "in 2D the points of both planes follow the structure, in any plane"
+plane()
+{
+    local mesh
+    for mesh in "plane 1 2" "xz 1 3" "yz 2 3"
+    do
+        set -- $mesh
+        makeCase "$1" "$1"
+        behave sway
+        writeAtEnd
+        runFluid
+        movedPoints constant/polyMesh/points 0.03/polyMesh/points | flapPoints "$2" "$3" > moved
+        # 15 points of the curve, on either plane
+        expectSway "$2" "$3" moved 30
+    done
+}
+
+property solid "in 3D the points of the surface follow the structure"
+solid()
+{
+    makeCase fluid solid
+    # The sway is along x, and proportional to z
+    behave sway
+    writeAtEnd
+    runFluid
+    # At the foot the channel's bottom, a later patch, holds them
+    movedPoints constant/polyMesh/points 0.03/polyMesh/points \
+        | flapPoints 1 2 | awk '$2 > 0' > moved
+    expectSway 1 3 moved 39
+}
+
+property parallel "in parallel the points of each rank follow the structure"
+parallel()
+{
+    local rank
+    makeCase fluid
+    behave sway
+    writeAtEnd
+    decompose 2
+    runFluid 2
+    for rank in 0 1
+    do
+        movedPoints processor$rank/constant/polyMesh/points processor$rank/0.03/polyMesh/points
+    done | flapPoints 1 2 | sort -u > moved
+    expectSway 1 2 moved 30
+}
+
+property others "points of the other walls stay"
+others()
+{
+    makeCase fluid
+    behave sway
+    writeAtEnd
+    runFluid
+    movedPoints constant/polyMesh/points 0.03/polyMesh/points > all
+    awk '$1 == -3 || $1 == 3 || $2 == 4 || ($2 == 0 && $1^2 > 0.003) { print $4, $5, $6 }' all | sort -u > still
+    expectEqual "displacements of the outer boundary" "$(cat still)" "0 0 0"
+    awk '$1^2 > 0.0026 && $1 > -2.9 && $1 < 2.9 && $2 > 0.1 && $2 < 3.9 && $4 == 0' all > stuck
+    expectEqual "points between that did not follow" "$(wc -l < stuck)" 0
+}
+
+property wallVelocity "the fluid at the flap has the velocity of the flap"
+wallVelocity()
+{
+    makeCase fluid
+    behave sway
+    writeAtEnd
+    runFluid
+    pointField 0.03/U flap > velocity
+    expectEqual "faces with a velocity" "$(wc -l < velocity)" 14
+    sort -g velocity | tail -n 1 > fastest
+    # The faces on the top go by the full sway, in their plane
+    awk -v OFMT=%.15g 'BEGIN { print 0.05*(sin(20*0.03) - sin(20*0.02))/0.01, 0, 0 }' > expected
+    # Displacements of 14 digits over a step of 0.01 s
+    expectSameTable velocity 1e-10 expected fastest
+}
+
+runProperties "$@"
