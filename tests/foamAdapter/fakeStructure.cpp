@@ -160,7 +160,7 @@ class Structure {
     /// exchange of a step adds to it, the last one too.
     void sway(std::vector<double>& values) const {
         const double amplitude =
-            0.05 * std::sin(20 * time_) * (behaves("creeps") ? 1 - std::pow(0.1, exchange_) : 1);
+            0.05 * std::sin(20 * time_) * (behaves("creeps") ? 1 - std::pow(0.5, exchange_) : 1);
         for (std::size_t i = 0; i < values.size(); i += interface_.dimension) {
             values[i] = amplitude * interface_.points[i + interface_.dimension - 1];
         }

@@ -78,6 +78,13 @@ pointField()
         inside && /^\(.*\)$/ { gsub(/[()]/, ""); print }' "$1"
 }
 
+# movedPoints BEFORE AFTER: "x y z dx dy dz" of each point of two files of points
+movedPoints()
+{
+    paste -d ' ' <(grep '^(.*)$' "$1") <(grep '^(.*)$' "$2") | tr -d '()' \
+        | awk -v OFMT=%.15g '{ print $1, $2, $3, $4 - $1, $5 - $2, $6 - $3 }'
+}
+
 # expectSameTable WHAT TOLERANCE FILE FILE: as many rows and columns, and numbers
 # that differ by at most TOLERANCE of the largest one
 expectSameTable()

@@ -2,13 +2,6 @@
 # The structure's displacement arrives at the mesh points.
 source "$(dirname "$0")/harness.sh"
 
-# movedPoints BEFORE AFTER: "x y z dx dy dz" of each point of two files of points
-movedPoints()
-{
-    paste -d ' ' <(grep '^(.*)$' "$1") <(grep '^(.*)$' "$2") | tr -d '()' \
-        | awk -v OFMT=%.15g '{ print $1, $2, $3, $4 - $1, $5 - $2, $6 - $3 }'
-}
-
 # flapPoints ACROSS UP: of such rows those on the flap, where these columns are
 # the coordinates across and along it. The flap has no mesh inside
 flapPoints()

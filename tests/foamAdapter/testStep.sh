@@ -1,0 +1,211 @@
+#!/usr/bin/env bash
+# The coupled time step inside the PIMPLE loop.
+source "$(dirname "$0")/harness.sh"
+
+# steps RECORD: "time deltaT exchanges finalExchanges writes" of each step
+steps()
+{
+    awk '
+        function flush() { if (time != "") print time, deltaT, exchanges, finals, writes }
+        $1 == "step" { flush(); time = $3; deltaT = $4; exchanges = finals = writes = 0 }
+        $1 == "forces" { ++exchanges; finals += $3; writes += $4 }
+        END { flush() }' "$1"
+}
+
+# Rows of the table that the coupling writes
+table()
+{
+    grep -v '^#' postProcessing/structure/0/coupling.dat
+}
+
+# Folders that pimpleFoam has written, besides the start
+timeFolders()
+{
+    local folder
+    for folder in [0-9]*
+    do
+        [ "$folder" = 0 ] || printf '%s ' "$folder"
+    done
+}
+
+property frozen "the displacement stays as it was in the final corrector"
+frozen()
+{
+    makeCase fluid
+    # Each exchange of a step moves the flap further, the last one too
+    behave creeps
+    entry system/controlDict writeInterval 0.03
+    runFluid
+    movedPoints constant/polyMesh/points 0.03/polyMesh/points \
+        | awk '$1 == 0.05 && $2 == 1 && $3 == 0 { print $4 }' > moved
+    # Corrector k + 1 moves by answer k, answer 0 being the prediction; the
+    # final corrector n keeps what corrector n - 1 had
+    awk -v OFMT=%.15g '
+        $1 == "points" { for (i = 2; i <= NF; i += 2) if ($i == 0.05 && $(i + 1) == 1) tip = i + 2 }
+        $1 == "forces" && $2 == 0.03 { ++n }
+        $1 == "answer" && $2 == 0.03 { answer[m++] = $tip }
+        END { print answer[n - 2] > "expected"; print answer[n - 1] > "notExpected" }' record
+    # Coordinates of 14 digits; the answers differ by 0.2 %
+    expectSameTable "displacement of the tip" 1e-11 expected moved
+    if cmp -s expected notExpected
+    then
+        fail "the answers of the structure do not differ"
+    fi
+}
+
+property exchanges "each corrector makes one exchange, the last one final"
+exchanges()
+{
+    makeCase fluid
+    behave creeps
+    runFluid
+    steps record > steps
+    expectEqual "steps" "$(awk '{ print $1, $2 }' steps | tr '\n' ' ')" \
+        "0.01 0.01 0.02 0.01 $(awk 'NR == 3 { print $1, $2 }' steps) "
+    expectEqual "final exchanges a step" "$(cut -d ' ' -f 4 steps | sort -u)" 1
+    expectEqual "exchanges" "$(cut -d ' ' -f 3 steps | tr '\n' ' ')" \
+        "$(grep 'PIMPLE: converged in' log.pimpleFoam | awk '{ print $4 }' | tr '\n' ' ')"
+    # The fourth exchange converges, and one more is final
+    awk '$3 < 5 { exit 1 }' steps || fail "a step has ended before the structure had converged"
+}
+
+property rows "the coupling's table has one row a step"
+rows()
+{
+    makeCase fluid
+    behave creeps
+    runFluid
+    steps record | awk '{ printf "%.6g %.6g %d\n", $1, $2, $3 }' > expected
+    table | awk '{ printf "%.6g %.6g %d\n", $1, $2, $4 }' > rows
+    cmp -s expected rows || fail "$(cat rows) in place of $(cat expected)"
+    expectEqual "converged" "$(table | awk '{ print $7 }' | sort -u)" 1
+}
+
+property folders "no time folder appears that was not asked for"
+folders()
+{
+    makeCase fluid
+    behave creeps
+    entry system/controlDict endTime 0.05
+    entry system/controlDict writeInterval 0.02
+    runFluid
+    expectEqual "time folders" "$(timeFolders)" "0.02 0.04 "
+}
+
+property writeTimes "the structure is told to write when the fluid writes"
+writeTimes()
+{
+    makeCase fluid
+    entry system/controlDict endTime 0.05
+    entry system/controlDict writeInterval 0.02
+    runFluid
+    expectEqual "steps that write" "$(steps record | awk '$5 == 1 { printf "%.6g ", $1 }')" "0.02 0.04 "
+    expectEqual "final exchanges that write" \
+        "$(awk '$1 == "forces" && $4 == 1 { print $3 }' record | sort -u)" 1
+}
+
+property adjusted "the structure gets the time step that the fluid adjusts"
+adjusted()
+{
+    makeCase fluid
+    behave sway
+    entry system/controlDict adjustTimeStep yes
+    entry system/controlDict maxCo 1
+    entry system/controlDict writeInterval 0.015
+    runFluid
+    steps record > steps
+    [ "$(awk '{ printf "%.5g\n", $2 }' steps | sort -u | wc -l)" -gt 2 ] \
+        || fail "the time step was not adjusted"
+    awk -v OFMT=%.12g '{ print $1, $2 }' steps > told
+    # The times follow from the time steps, and are those of the fluid's log
+    awk -v OFMT=%.12g '{ time += $2; print time, $2 }' steps > summed
+    expectSameTable "times" 1e-12 told summed
+    awk '$1 == "deltaT" { deltaT = $3 } $1 == "Time" && $2 == "=" { print $3, deltaT }' log.pimpleFoam > logged
+    # The log has six digits
+    expectSameTable "time steps" 1e-5 told logged
+    expectEqual "time folders" "$(timeFolders)" "0.015 0.03 "
+}
+
+property backward "the time scheme backward couples as Euler does"
+backward()
+{
+    makeCase fluid
+    behave sway
+    entry system/fvSchemes ddtSchemes.default backward
+    entry system/controlDict functions.forces \
+        '{ type forces; libs (forces); patches (flap); rho rhoInf; rhoInf 1; CofR (0 0 0); writePrecision 16; }'
+    runFluid
+    expectEqual "accepted steps" "$(steps record | awk '$4 == 1' | wc -l)" 3
+    tr -d '()' < postProcessing/forces/0/force.dat | awk '$1 == 0.03 { print $2, $3, 0 }' > foam
+    forceSum record 0.03 > sum
+    # Rounding of 14 terms
+    expectSameTable force 1e-12 foam sum
+}
+
+property explicit "with one outer corrector the coupling is explicit"
+explicit()
+{
+    makeCase fluid
+    behave sway
+    entry system/fvSolution PIMPLE.nOuterCorrectors 1
+    removeEntry system/fvSolution PIMPLE.moveMeshOuterCorrectors
+    removeEntry system/fvSolution PIMPLE.residualControl
+    runFluid
+    expectText log.pimpleFoam "explicit coupling, one exchange a step"
+    expectEqual "exchanges a step" "$(steps record | cut -d ' ' -f 3,4 | sort -u)" "1 1"
+    expectEqual "rows" "$(table | wc -l)" 3
+}
+
+# Six correctors, and a structure that asks for more each time
+neverConverge()
+{
+    makeCase fluid
+    behave neverConverges
+    entry system/fvSolution PIMPLE.nOuterCorrectors 6
+}
+
+property abort "a step that does not converge ends the run, and says what to change"
+abort()
+{
+    neverConverge
+    runFaultyFluid
+    expectText log.pimpleFoam "time 0.01 s did not converge in 6 correctors: coupling residual 1 (tolerance 0.0001)" \
+        "Raise nOuterCorrectors" "'onUnconverged warn'"
+    expectText log.igaStructure "the fluid ended: time 0.01 s did not converge in 6 correctors"
+    expectEqual "final exchanges" "$(steps record | cut -d ' ' -f 4)" 0
+}
+
+property warn "a step that does not converge is accepted by the option warn, and warned of"
+warn()
+{
+    neverConverge
+    coupling onUnconverged warn
+    runFluid
+    expectText log.pimpleFoam "time 0.03 s did not converge in 6 correctors" "accepted all the same, by 'onUnconverged warn'"
+    expectEqual "exchanges" "$(steps record | cut -d ' ' -f 3,4 | sort -u)" "6 1"
+    expectEqual "converged" "$(table | awk '{ print $7 }' | sort -u)" 0
+}
+
+property unconvergedFlow "a step whose flow has not converged is not accepted either"
+unconvergedFlow()
+{
+    makeCase fluid
+    entry system/fvSolution PIMPLE.nOuterCorrectors 3
+    entry system/fvSolution PIMPLE.residualControl.U.tolerance 1e-9
+    runFaultyFluid
+    expectText log.pimpleFoam "time 0.01 s did not converge in 3 correctors: coupling residual 0 (tolerance 0.0001)"
+}
+
+property stopped "a run that is stopped early by controlDict ends in good order"
+stopped()
+{
+    makeCase fluid
+    entry system/controlDict stopAt nextWrite
+    entry system/controlDict writeInterval 0.02
+    entry system/controlDict endTime 100
+    runFluid
+    expectEqual "last step" "$(steps record | tail -n 1 | cut -d ' ' -f 1)" 0.02
+    expectEqual "time folders" "$(timeFolders)" "0.02 "
+}
+
+runProperties "$@"
