@@ -47,7 +47,7 @@ ParameterBox ElementGrid::box() const {
     return {{xi_.front(), eta_.front()}, {xi_.back(), eta_.back()}};
 }
 
-int ElementGrid::elementAt(const ParameterPoint& point) const {
+int ElementGrid::elementAt(const Parameters& point) const {
     return intervalAt(xi_, point[0]) + nU() * intervalAt(eta_, point[1]);
 }
 
@@ -63,9 +63,9 @@ ElementGrid::cut(const std::vector<PlaneBezier>& pieces) const {
         appendCuts(piece, 1, eta_, cuts);
         std::sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.t < b.t; });
         double from = 0;
-        ParameterPoint start = piece.start();
+        Parameters start = piece.start();
         for (const Cut& cut : cuts) {
-            ParameterPoint joint = piece.point(cut.t);
+            Parameters joint = piece.point(cut.t);
             joint[cut.axis] = cut.value;
             keep(part(piece, from, cut.t).withEnds(start, joint));
             from = cut.t;

@@ -20,7 +20,7 @@ class ElementGrid {
     ParameterBox box() const;
     /// The element that holds a point; beyond the rim the nearest. A point on a
     /// knot line belongs to the element after it.
-    int elementAt(const ParameterPoint& point) const;
+    int elementAt(const Parameters& point) const;
 
     /// Pieces of curves cut at all knot lines, for each element those inside it
     /// (one on a knot line belongs to either neighbour).

@@ -1,23 +1,12 @@
 #pragma once
 
-#include <Eigen/Core>
-
 namespace tokay::geometry {
 
-/// A place (xi, eta) in the parameter space of a surface.
-using ParameterPoint = Eigen::Vector2d;
-
-/// Rectangle in parameter space.
-struct ParameterBox {
-    ParameterPoint lower, upper;
-
-    ParameterPoint size() const { return upper - lower; }
-    ParameterPoint centre() const { return 0.5 * (lower + upper); }
-    double area() const { return size().prod(); }
-    bool overlaps(const ParameterBox& other) const {
-        return (lower.array() <= other.upper.array()).all() &&
-               (other.lower.array() <= upper.array()).all();
-    }
+/// A quadrature point in the parameter space of a patch.
+struct ParameterPoint {
+    double xi, eta;
+    /// Of the parameter area, without the surface's Jacobian.
+    double weight;
 };
 
 } // namespace tokay::geometry

@@ -43,6 +43,29 @@ Eigen::VectorXd derivative(const Eigen::VectorXd& a) {
     return static_cast<double>(n) * (a.tail(n) - a.head(n));
 }
 
+double flatness(const PlaneBezier& piece, const Parameters& tolerance) {
+    const Parameters chord = piece.end() - piece.start();
+    const Parameters unit = tolerance.cwiseInverse();
+    const Parameters along = chord.cwiseProduct(unit).normalized();
+    double worst = 0;
+    for (int i = 1; i < piece.degree(); ++i) {
+        const Parameters arm = (piece.controlPoint(i) - piece.start()).cwiseProduct(unit);
+        worst = std::max(worst, (arm - arm.dot(along) * along).norm());
+    }
+    return worst;
+}
+
+void appendChords(const PlaneBezier& piece, const Parameters& tolerance, int depth,
+                  std::vector<Parameters>& points) {
+    constexpr int deepest = 20;
+    if (depth == deepest || flatness(piece, tolerance) <= 1) {
+        points.push_back(piece.start());
+        return;
+    }
+    for (const PlaneBezier& half : piece.split(0.5))
+        appendChords(half, tolerance, depth + 1, points);
+}
+
 } // namespace
 
 PlaneBezier::PlaneBezier(Controls controls)
@@ -58,7 +81,7 @@ std::vector<PlaneBezier> PlaneBezier::piecesOf(const NurbsCurve& curve) {
     return pieces;
 }
 
-ParameterPoint PlaneBezier::point(double t) const {
+Parameters PlaneBezier::point(double t) const {
     Controls c = controls_;
     for (int n = degree(); n > 0; --n)
         contract(c, n, t);
@@ -71,7 +94,7 @@ PlaneBezier::Tangent PlaneBezier::tangent(double t) const {
         contract(c, n, t);
     const Eigen::Vector3d slope = degree() * (c.col(1) - c.col(0));
     contract(c, 1, t);
-    const ParameterPoint point = c.col(0).head<2>() / c(2, 0);
+    const Parameters point = c.col(0).head<2>() / c(2, 0);
     return {point, (slope.head<2>() - slope[2] * point) / c(2, 0)};
 }
 
@@ -89,7 +112,7 @@ std::array<PlaneBezier, 2> PlaneBezier::split(double t) const {
     return halves;
 }
 
-PlaneBezier PlaneBezier::withEnds(const ParameterPoint& start, const ParameterPoint& end) const {
+PlaneBezier PlaneBezier::withEnds(const Parameters& start, const Parameters& end) const {
     PlaneBezier moved = *this;
     const Eigen::Index last = controls_.cols() - 1;
     moved.controls_.col(0).head<2>() = controls_(2, 0) * start;
@@ -106,10 +129,10 @@ PlaneBezier PlaneBezier::reversed() const {
     return result;
 }
 
-PlaneBezier PlaneBezier::scaled(const ParameterPoint& origin, const ParameterPoint& scale) const {
+PlaneBezier PlaneBezier::scaled(const Parameters& origin, const Parameters& scale) const {
     PlaneBezier result = *this;
-    const auto map = [&](const ParameterPoint& point) {
-        return ParameterPoint((point - origin).cwiseProduct(scale));
+    const auto map = [&](const Parameters& point) {
+        return Parameters((point - origin).cwiseProduct(scale));
     };
     for (int i = 0; i <= degree(); ++i)
         result.controls_.col(i).head<2>() = controls_(2, i) * map(controlPoint(i));
@@ -167,6 +190,10 @@ double PlaneBezier::parameterAt(int axis, double value) const {
         t = next;
     }
     return t;
+}
+
+void PlaneBezier::appendChords(const Parameters& tolerance, std::vector<Parameters>& points) const {
+    geometry::appendChords(*this, tolerance, 0, points);
 }
 
 } // namespace tokay::geometry

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "geometry/NurbsCurve.hpp"
-#include "geometry/ParameterPoint.hpp"
+#include "geometry/Parameters.hpp"
 #include <array>
 
 namespace tokay::geometry {
@@ -21,31 +21,34 @@ class PlaneBezier {
     static std::vector<PlaneBezier> piecesOf(const NurbsCurve& curve);
 
     int degree() const { return static_cast<int>(controls_.cols()) - 1; }
-    ParameterPoint controlPoint(int i) const {
-        return controls_.col(i).head<2>() / controls_(2, i);
-    }
-    const ParameterPoint& start() const { return start_; }
-    const ParameterPoint& end() const { return end_; }
+    Parameters controlPoint(int i) const { return controls_.col(i).head<2>() / controls_(2, i); }
+    double weight(int i) const { return controls_(2, i); }
+    const Parameters& start() const { return start_; }
+    const Parameters& end() const { return end_; }
 
-    ParameterPoint point(double t) const;
+    Parameters point(double t) const;
     struct Tangent {
-        ParameterPoint point, derivative;
+        Parameters point, derivative;
     };
     Tangent tangent(double t) const;
 
     std::array<PlaneBezier, 2> split(double t) const;
 
     /// The same curve with other ends, next to its own.
-    PlaneBezier withEnds(const ParameterPoint& start, const ParameterPoint& end) const;
+    PlaneBezier withEnds(const Parameters& start, const Parameters& end) const;
 
     /// The same curve run through backwards.
     PlaneBezier reversed() const;
 
     /// The curve in coordinates (point - origin) * scale, for each direction.
-    PlaneBezier scaled(const ParameterPoint& origin, const ParameterPoint& scale) const;
+    PlaneBezier scaled(const Parameters& origin, const Parameters& scale) const;
 
     /// Box of the control points, which holds the curve.
     ParameterBox box() const;
+
+    /// Appends the start and points after it, the end left out, such that chords
+    /// leave the curve by no more than the tolerance (for each direction).
+    void appendChords(const Parameters& tolerance, std::vector<Parameters>& points) const;
 
     /// Where the coordinate turns, ascending, inside (0, 1).
     std::vector<double> extrema(int axis) const;
@@ -56,7 +59,7 @@ class PlaneBezier {
 
   private:
     Controls controls_;
-    ParameterPoint start_, end_;
+    Parameters start_, end_;
 };
 
 } // namespace tokay::geometry

@@ -18,8 +18,8 @@ struct Crossing {
 };
 
 PlaneBezier clampedInto(const ParameterBox& box, const PlaneBezier& side) {
-    const auto clamped = [&](const ParameterPoint& point) {
-        return ParameterPoint(point.cwiseMax(box.lower).cwiseMin(box.upper));
+    const auto clamped = [&](const Parameters& point) {
+        return Parameters(point.cwiseMax(box.lower).cwiseMin(box.upper));
     };
     return side.withEnds(clamped(side.start()), clamped(side.end()));
 }
@@ -41,7 +41,7 @@ std::vector<double> heights(const ParameterBox& box, const std::vector<Crossing>
                             const std::vector<WindingStep>& leftWinding) {
     std::vector<double> all = {box.lower[1], box.upper[1]};
     for (const Crossing& crossing : crossings)
-        for (const ParameterPoint& end : {crossing.rising.start(), crossing.rising.end()})
+        for (const Parameters& end : {crossing.rising.start(), crossing.rising.end()})
             all.push_back(end[1]);
     for (const WindingStep& step : leftWinding)
         all.push_back(std::clamp(step.eta, box.lower[1], box.upper[1]));
@@ -105,6 +105,21 @@ double TileSide::integral(double height) const {
         sum += rule.weights[k] * (point[0] - origin) * derivative[1];
     }
     return sum;
+}
+
+Polygon Tile::polygon(const Parameters& chordTolerance) const {
+    Polygon polygon;
+    const auto append = [&](const TileSide& side, bool rises) {
+        const Parameters bottom(side.xiAtBottom(), etaFrom), top(side.xiAtTop(), etaTo);
+        if (side.curve)
+            (rises ? *side.curve : side.curve->reversed()).appendChords(chordTolerance, polygon);
+        else
+            polygon.push_back(rises ? bottom : top);
+        polygon.push_back(rises ? top : bottom);
+    };
+    append(right, true);
+    append(left, false);
+    return polygon;
 }
 
 std::vector<Tile> elementTiles(const ParameterBox& element, const std::vector<PlaneBezier>& sides,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "geometry/PlaneBezier.hpp"
+#include "geometry/Polygon.hpp"
 #include <optional>
 
 namespace tokay::geometry {
@@ -34,6 +35,8 @@ struct Tile {
 
     double height() const { return etaTo - etaFrom; }
     double area() const { return right.integral(height()) - left.integral(height()); }
+    /// Counter-clockwise; its sides leave the curves by no more than the tolerance.
+    Polygon polygon(const Parameters& chordTolerance) const;
     bool isRectangle() const { return !left.curve && !right.curve; }
 };
 

@@ -13,31 +13,18 @@ ParameterBox parameterBox(const NurbsSurface& surface) {
     return {{surface.u().first(), surface.v().first()}, {surface.u().last(), surface.v().last()}};
 }
 
-/// A loop inside the box, points beyond its rim by rounding moved onto it.
-TrimmingLoop keptInside(const TrimmingLoop& loop, const ParameterBox& box,
-                        const std::string& patch) {
+void checkInside(const TrimmingLoop& loop, const ParameterBox& box, const std::string& patch) {
     constexpr double slack = 1e-9;
-    std::vector<NurbsCurve> curves;
-    bool moved = false;
-    for (const NurbsCurve& curve : loop.curves()) {
-        Points points = curve.controlPoints();
-        for (Eigen::Index i = 0; i < points.rows(); ++i) {
-            const ParameterPoint point = points.row(i).head<2>();
-            const ParameterPoint inside = point.cwiseMax(box.lower).cwiseMin(box.upper);
-            if (((point - inside).cwiseAbs().array() > slack * box.size().array()).any())
-                throw InputError(fmt::format(
-                    "Patch \"{}\": a trimming curve has the control point ({:.9g}, {:.9g}), "
-                    "outside "
-                    "the parameter range {:.9g} to {:.9g}, {:.9g} to {:.9g}. Give trimming curves "
-                    "in the parameters of the surface.",
-                    patch, point[0], point[1], box.lower[0], box.upper[0], box.lower[1],
-                    box.upper[1]));
-            moved = moved || point != inside;
-            points.row(i).head<2>() = inside;
-        }
-        curves.push_back(curve.withControlPoints(std::move(points)));
+    for (const PlaneBezier& piece : loop.pieces()) {
+        const Parameters& point = piece.start(); // monotone pieces: none lies further out
+        const Parameters inside = point.cwiseMax(box.lower).cwiseMin(box.upper);
+        if (((point - inside).cwiseAbs().array() > slack * box.size().array()).any())
+            throw InputError(fmt::format(
+                "Patch \"{}\": a trimming curve reaches ({:.9g}, {:.9g}), outside the parameter "
+                "range {:.9g} to {:.9g}, {:.9g} to {:.9g}. Give trimming curves in the parameters "
+                "of the surface.",
+                patch, point[0], point[1], box.lower[0], box.upper[0], box.lower[1], box.upper[1]));
     }
-    return moved ? TrimmingLoop(loop.kind(), std::move(curves)) : loop;
 }
 
 void checkArrangement(const std::vector<TrimmingLoop>& loops, const std::string& patch) {
@@ -63,8 +50,8 @@ void checkArrangement(const std::vector<TrimmingLoop>& loops, const std::string&
 
 std::vector<TrimmingLoop> checkedLoops(std::vector<TrimmingLoop> loops, const ParameterBox& box,
                                        const std::string& patch) {
-    for (TrimmingLoop& loop : loops)
-        loop = keptInside(loop, box, patch);
+    for (const TrimmingLoop& loop : loops)
+        checkInside(loop, box, patch);
     const bool hasOuter = std::any_of(loops.begin(), loops.end(), [](const TrimmingLoop& loop) {
         return loop.kind() == LoopKind::outer;
     });
@@ -96,29 +83,33 @@ TrimmedPatch::TrimmedPatch(NurbsSurface surface, NurbsSurface basis,
     : surface_(std::move(surface)), basis_(std::move(basis)), loops_(std::move(loops)),
       isTrimmed_(isTrimmed), name_(std::move(name)),
       grid_(basis_.u().breakpoints(), basis_.v().breakpoints()) {
-    if (!isTrimmed_) {
-        states_.assign(nElements(), ElementState::full);
-        return;
-    }
+    tiles_.resize(nElements());
+    polygons_.resize(nElements());
+    states_.assign(nElements(), isTrimmed_ ? ElementState::empty : ElementState::full);
+    if (isTrimmed_)
+        findTiles();
+}
+
+void TrimmedPatch::findTiles() {
     std::vector<PlaneBezier> pieces;
     for (const TrimmingLoop& loop : loops_)
         pieces.insert(pieces.end(), loop.pieces().begin(), loop.pieces().end());
-    sides_ = grid_.cut(pieces);
-    leftWindings_ = grid_.leftWindings(sides_);
-    findStates();
-}
-
-void TrimmedPatch::findStates() {
-    states_.assign(nElements(), ElementState::none);
+    const auto sides = grid_.cut(pieces);
+    const auto leftWindings = grid_.leftWindings(sides);
     for (int element = 0; element < nElements(); ++element) {
-        if (sides_[element].empty() && leftWindings_[element].empty())
+        if (sides[element].empty() && leftWindings[element].empty())
             continue;
         const ParameterBox box = elementBox(element);
-        const double fraction =
-            insideArea(elementTiles(box, sides_[element], leftWindings_[element])) / box.area();
-        states_[element] = fraction <= sliver       ? ElementState::none
-                           : fraction >= 1 - sliver ? ElementState::full
-                                                    : ElementState::cut;
+        std::vector<Tile> tiles = elementTiles(box, sides[element], leftWindings[element]);
+        const double fraction = insideArea(tiles) / box.area();
+        if (fraction >= 1 - sliver) {
+            states_[element] = ElementState::full;
+        } else if (fraction > sliver) {
+            states_[element] = ElementState::cut;
+            for (const Tile& tile : tiles)
+                polygons_[element].push_back(tile.polygon(polygonTolerance * box.size()));
+            tiles_[element] = std::move(tiles);
+        }
     }
 }
 
@@ -136,31 +127,38 @@ std::vector<int> TrimmedPatch::elements(ElementState state) const {
     return found;
 }
 
-std::vector<Tile> TrimmedPatch::tiles(int element) const {
-    const ParameterBox box = elementBox(element);
-    if (state(element) == ElementState::full)
-        return {{box.lower[1], box.upper[1], TileSide::straight(box.lower[0]),
-                 TileSide::straight(box.upper[0])}};
-    if (state(element) == ElementState::none)
-        return {};
-    return elementTiles(box, sides_[element], leftWindings_[element]);
+const std::vector<Tile>& TrimmedPatch::tiles(int element) const {
+    return tiles_[element];
 }
 
-bool TrimmedPatch::contains(const ParameterPoint& point) const {
+std::vector<Polygon> TrimmedPatch::clipped(const Polygon& cell) const {
+    Parameters centre = Parameters::Zero();
+    for (const Parameters& corner : cell)
+        centre += corner / static_cast<double>(cell.size());
+    std::vector<Polygon> parts;
+    for (const Polygon& tile : polygons_[elementAt(centre)]) {
+        Polygon part = clippedByConvex(tile, cell);
+        if (part.size() >= 3)
+            parts.push_back(std::move(part));
+    }
+    return parts;
+}
+
+bool TrimmedPatch::contains(const Parameters& point) const {
     const ParameterBox all = box();
     if ((point.array() < all.lower.array()).any() || (point.array() > all.upper.array()).any())
         return false;
     const int element = elementAt(point);
     if (state(element) != ElementState::cut)
         return state(element) == ElementState::full;
-    for (const Tile& tile : tiles(element))
+    for (const Tile& tile : tiles_[element])
         if (tile.etaFrom <= point[1] && point[1] <= tile.etaTo &&
             tile.left.xiAt(point[1]) <= point[0] && point[0] <= tile.right.xiAt(point[1]))
             return true;
     return false;
 }
 
-std::vector<Polygon> TrimmedPatch::tessellatedLoops(const ParameterPoint& chordTolerance) const {
+std::vector<Polygon> TrimmedPatch::tessellatedLoops(const Parameters& chordTolerance) const {
     std::vector<Polygon> polygons;
     for (const TrimmingLoop& loop : loops_)
         polygons.push_back(loop.tessellated(chordTolerance));

@@ -10,19 +10,18 @@ namespace tokay::geometry {
 
 namespace {
 
-std::string text(const ParameterPoint& point) {
+std::string text(const Parameters& point) {
     return fmt::format("({:.9g}, {:.9g})", point[0], point[1]);
 }
 
-ParameterPoint head(const NurbsCurve& curve) {
+Parameters head(const NurbsCurve& curve) {
     return curve.controlPoints().row(0).head<2>();
 }
-ParameterPoint tail(const NurbsCurve& curve) {
+Parameters tail(const NurbsCurve& curve) {
     return curve.controlPoints().row(curve.nControlPoints() - 1).head<2>();
 }
 
-NurbsCurve withEnds(const NurbsCurve& curve, const ParameterPoint& start,
-                    const ParameterPoint& end) {
+NurbsCurve withEnds(const NurbsCurve& curve, const Parameters& start, const Parameters& end) {
     Points points = curve.controlPoints();
     points.row(0).head<2>() = start;
     points.row(points.rows() - 1).head<2>() = end;
@@ -40,19 +39,19 @@ ParameterBox boxAround(const std::vector<NurbsCurve>& curves) {
 }
 
 /// Moves the ends of neighbours to one point.
-std::vector<NurbsCurve> closed(std::vector<NurbsCurve> curves, const ParameterPoint& size) {
+std::vector<NurbsCurve> closed(std::vector<NurbsCurve> curves, const Parameters& size) {
     const std::size_t n = curves.size();
-    std::vector<ParameterPoint> joints(n); // before curve i
+    std::vector<Parameters> joints(n); // before curve i
     for (std::size_t i = 0; i < n; ++i) {
         const std::size_t before = (i + n - 1) % n;
-        const ParameterPoint end = tail(curves[before]), start = head(curves[i]);
-        const ParameterPoint gap = (end - start).cwiseAbs();
+        const Parameters end = tail(curves[before]), start = head(curves[i]);
+        const Parameters gap = (end - start).cwiseAbs();
         if ((gap.array() > TrimmingLoop::closingTolerance * size.array()).any())
             throw InputError(fmt::format(
                 "A trimming loop is open: curve {} ends at {}, but curve {} starts at {}. Let each "
                 "curve start where the one before it ends.",
                 before, text(end), i, text(start)));
-        joints[i] = gap.isZero(0) ? start : ParameterPoint(0.5 * (start + end));
+        joints[i] = gap.isZero(0) ? start : Parameters(0.5 * (start + end));
     }
     for (std::size_t i = 0; i < n; ++i)
         if (head(curves[i]) != joints[i] || tail(curves[i]) != joints[(i + 1) % n])
@@ -111,7 +110,7 @@ std::vector<PlaneBezier> halved(const std::vector<PlaneBezier>& pieces) {
     return result;
 }
 
-std::optional<ParameterPoint> selfContact(const std::vector<PlaneBezier>& pieces) {
+std::optional<Parameters> selfContact(const std::vector<PlaneBezier>& pieces) {
     const std::size_t n = pieces.size();
     for (std::size_t i = 0; i < n; ++i) {
         const double tolerance = TrimmingLoop::touchingTolerance;
@@ -126,39 +125,16 @@ std::optional<ParameterPoint> selfContact(const std::vector<PlaneBezier>& pieces
 }
 
 /// Area to the left of a piece, as seen from the origin.
-double sectorArea(const PlaneBezier& piece, const ParameterPoint& origin) {
+double sectorArea(const PlaneBezier& piece, const Parameters& origin) {
     // Exact for polynomials of degree 12, spectral for rational curves.
     const QuadratureRule& rule = gaussLegendre(24);
     double twice = 0;
     for (std::size_t k = 0; k < rule.points.size(); ++k) {
         const auto [point, derivative] = piece.tangent(rule.points[k]);
-        const ParameterPoint arm = point - origin;
+        const Parameters arm = point - origin;
         twice += rule.weights[k] * (arm[0] * derivative[1] - arm[1] * derivative[0]);
     }
     return 0.5 * twice;
-}
-
-double flatness(const PlaneBezier& piece, const ParameterPoint& tolerance) {
-    const ParameterPoint chord = piece.end() - piece.start();
-    const ParameterPoint unit = tolerance.cwiseInverse();
-    const ParameterPoint along = chord.cwiseProduct(unit).normalized();
-    double worst = 0;
-    for (int i = 1; i < piece.degree(); ++i) {
-        const ParameterPoint arm = (piece.controlPoint(i) - piece.start()).cwiseProduct(unit);
-        worst = std::max(worst, (arm - arm.dot(along) * along).norm());
-    }
-    return worst;
-}
-
-void appendChords(const PlaneBezier& piece, const ParameterPoint& tolerance, int depth,
-                  Polygon& polygon) {
-    constexpr int deepest = 20;
-    if (depth == deepest || flatness(piece, tolerance) <= 1) {
-        polygon.push_back(piece.start());
-        return;
-    }
-    for (const PlaneBezier& half : piece.split(0.5))
-        appendChords(half, tolerance, depth + 1, polygon);
 }
 
 } // namespace
@@ -173,7 +149,7 @@ TrimmingLoop::TrimmingLoop(LoopKind kind, std::vector<NurbsCurve> curves) : kind
     curves_ = closed(std::move(curves), box_.size());
     pieces_ = monotonePieces(curves_);
     if (const auto place = selfContact(halved(scaled(pieces_, box_)))) {
-        const ParameterPoint at = box_.lower + place->cwiseProduct(box_.size());
+        const Parameters at = box_.lower + place->cwiseProduct(box_.size());
         throw InputError(fmt::format("A trimming loop crosses or touches itself at {}. Correct its "
                                      "curves, or make two loops of it.",
                                      text(at)));
@@ -194,7 +170,7 @@ double TrimmingLoop::signedArea() const {
     return area;
 }
 
-int TrimmingLoop::winding(const ParameterPoint& point) const {
+int TrimmingLoop::winding(const Parameters& point) const {
     int winding = 0;
     for (const PlaneBezier& piece : pieces_) {
         const double from = piece.start()[1], to = piece.end()[1];
@@ -212,10 +188,10 @@ int TrimmingLoop::winding(const ParameterPoint& point) const {
     return winding;
 }
 
-Polygon TrimmingLoop::tessellated(const ParameterPoint& chordTolerance) const {
+Polygon TrimmingLoop::tessellated(const Parameters& chordTolerance) const {
     Polygon polygon;
     for (const PlaneBezier& piece : pieces_)
-        appendChords(piece, chordTolerance, 0, polygon);
+        piece.appendChords(chordTolerance, polygon);
     return polygon;
 }
 
@@ -233,7 +209,7 @@ bool TrimmingLoop::meets(const TrimmingLoop& other) const {
 }
 
 TrimmingLoop TrimmingLoop::around(const ParameterBox& box) {
-    const ParameterPoint corners[4] = {
+    const Parameters corners[4] = {
         box.lower, {box.upper[0], box.lower[1]}, box.upper, {box.lower[0], box.upper[1]}};
     std::vector<NurbsCurve> sides;
     for (int i = 0; i < 4; ++i) {

@@ -38,11 +38,11 @@ class TrimmingLoop {
     double signedArea() const;
 
     /// How often the loop winds around a point that is not on it: 1, 0 or -1.
-    int winding(const ParameterPoint& point) const;
+    int winding(const Parameters& point) const;
 
     /// Polygon on the loop; where the chords leave it by more than the
     /// tolerance (in units of the parameters, for each direction) it is finer.
-    Polygon tessellated(const ParameterPoint& chordTolerance) const;
+    Polygon tessellated(const Parameters& chordTolerance) const;
 
     /// Whether the loops cross or touch.
     bool meets(const TrimmingLoop& other) const;
