@@ -69,15 +69,23 @@ Foam::labelList Foam::couplingSession::selectPatches
     }
 
     const labelList patches(boundary.patchSet(names).sortedToc());
+    label nFaces = 0;
     for (const label patchi : patches)
     {
-        if (boundary[patchi].coupled())
+        if (polyPatch::constraintType(boundary[patchi].type()))
         {
             FatalIOErrorInFunction(dict)
                 << "patch '" << boundary[patchi].name() << "' of the entry "
                 << "'patches' is of type " << boundary[patchi].type()
                 << ": a structure needs a wall" << exit(FatalIOError);
         }
+        nFaces += boundary[patchi].size();
+    }
+    if (returnReduce(nFaces, sumOp<label>()) == 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "the entry 'patches' names no patch with faces"
+            << exit(FatalIOError);
     }
     return patches;
 }
@@ -129,7 +137,8 @@ Foam::scalar Foam::couplingSession::readTolerance() const
 }
 
 
-const Foam::pointVectorField& Foam::couplingSession::pointDisplacement() const
+const Foam::pointVectorField&
+Foam::couplingSession::findPointDisplacement() const
 {
     if (!mesh_.foundObject<pointVectorField>("pointDisplacement"))
     {
@@ -397,7 +406,6 @@ Foam::couplingSession::couplingSession
         )
     ),
     explicit_(pimple_.nCorrPIMPLE() == 1),
-    tolerance_(1),
     residualField_
     (
         new volScalarField
@@ -414,22 +422,22 @@ Foam::couplingSession::couplingSession
             dimensionedScalar(dimless, Zero)
         )
     ),
+    tolerance_(readTolerance()),
     interface_(mesh, selectPatches(mesh, dict), dict),
     force_(mesh, dict),
+    pointDisplacement_(findPointDisplacement()),
     structure_(dict, mesh.time()),
     timeIndex_(-1),
     corrector_(0),
     accepted_(false),
     stepStart_(0)
 {
-    tolerance_ = readTolerance();
-
     tokay::coupling::Interface message;
     message.name = name;
     message.tolerance = tolerance_;
     message.startTime = mesh.time().startTime().value();
     message.endTime = mesh.time().endTime().value();
-    interface_.describe(pointDisplacement(), message);
+    interface_.describe(pointDisplacement_, message);
 
     Info<< "    " << (explicit_ ? "explicit coupling, one exchange a step"
                                 : "strong coupling, tolerance ");

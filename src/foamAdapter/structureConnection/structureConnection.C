@@ -13,6 +13,7 @@ License
 #include "Time.H"
 #include "Pstream.H"
 #include "OSspecific.H"
+#include "requireKnownEntries.H"
 #include "coupling/allFinite.hpp"
 #include "coupling/shakeHands.hpp"
 #include "common/errors.hpp"
@@ -204,6 +205,14 @@ Foam::structureConnection::structureConnection
     nValues_(0)
 {
     const dictionary& structureDict = dict.subDict("structure");
+    requireKnownEntries
+    (
+        structureDict,
+        {
+            "launch", "case", "program", "arguments", "log", "connect",
+            "tokenFile", "silenceInterval"
+        }
+    );
 
     if (structureDict.found("connect"))
     {

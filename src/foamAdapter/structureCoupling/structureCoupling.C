@@ -13,6 +13,7 @@ License
 #include "couplingSession.H"
 #include "exchangeHook.H"
 #include "fvOptions.H"
+#include "requireKnownEntries.H"
 #include "timeControlFunctionObject.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -86,6 +87,17 @@ Foam::functionObjects::structureCoupling::structureCoupling
             << "control when it executes or writes (timeStart, timeEnd, "
             << "executeControl, writeControl, ...)" << exit(FatalIOError);
     }
+    requireKnownEntries
+    (
+        dict,
+        {
+            "patches", "rho", "pRef", "viscous", "p", "U", "onUnconverged",
+            "structure",
+            // Those of any function object
+            "type", "libs", "functionObjectLibs", "enabled", "log", "region",
+            "writePrecision", "writeToFile", "useUserTime"
+        }
+    );
     if (!mesh_.foundObject<pimpleControl>("solutionControl"))
     {
         FatalIOErrorInFunction(dict)
