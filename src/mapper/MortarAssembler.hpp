@@ -10,37 +10,58 @@ namespace tokay::mapper {
 enum class MortarBasis { standard, dual };
 
 /// Sums M_DD = integral of N_D N_D^T and M_DO = integral of N_D N_O^T over the
-/// intersection of the two sides, destination element by destination element.
+/// intersection of the two sides, in groups of quadrature points: all points of a
+/// destination element, or, when the source's faces lead, all of a source face.
 class MortarAssembler {
   public:
-    MortarAssembler(int nTo, int nFrom, MortarBasis basis);
+    /// @param nElements  of the destination, if a group can hold points of several
+    /// of them and an element occurs in several groups; else 0. There is no dual
+    /// basis then, as no group has a whole element.
+    MortarAssembler(int nTo, int nFrom, MortarBasis basis, int nElements = 0);
 
-    /// A quadrature point of the current destination element.
-    void add(double weight, const Functions& to, const Functions& from);
+    /// A quadrature point in an element of the destination, which determines the
+    /// list of its functions.
+    void add(double weight, const Functions& to, const Functions& from, int element = 0);
 
-    /// A quadrature point with no partner: its functions exist, but get nothing.
+    /// A place with no partner: its functions exist, but get nothing from there.
     void addUnmatched(const Functions& to);
 
-    /// Closes the element.
     /// Source of the dual basis: Wohlmuth, SIAM J. Numer. Anal. 38, 2000
-    void endElement();
+    void endGroup();
 
     SparseMatrix massMatrix() const;
     SparseMatrix crossMatrix() const;
-    /// Values on the destination's interface that got nothing.
-    int nUncovered() const;
+    /// Values on the destination's interface that have no mass.
+    int nUncovered(const SparseMatrix& massMatrix) const;
 
   private:
-    int column(int fromValue);
+    struct ElementMass {
+        std::vector<int> values;
+        Eigen::MatrixXd matrix;
+    };
+    /// An element's part in the current group.
+    struct Part {
+        int element;
+        std::vector<int> toValues, fromValues;
+        Eigen::MatrixXd mass, cross;
+
+        int column(int fromValue);
+        void add(double weight, const Functions& to, const Functions& from);
+        void makeDual();
+    };
+    Part& partOf(int element, const Functions& to);
+    void close(const Part& part);
 
     int nTo_, nFrom_;
     MortarBasis basis_;
+    /// Masses of elements that occur in several groups.
+    std::vector<ElementMass> elements_;
     std::vector<Eigen::Triplet<double>> mass_, cross_;
-    std::vector<char> isOnInterface_, isCovered_;
+    std::vector<char> isOnInterface_;
 
-    // The current element: destination values, source values, local matrices.
-    std::vector<int> toValues_, fromValues_;
-    Eigen::MatrixXd localMass_, localCross_;
+    /// The first nParts_ belong to the current group; the rest are memory to reuse.
+    std::vector<Part> parts_;
+    std::size_t nParts_ = 0;
 };
 
 } // namespace tokay::mapper

@@ -1,11 +1,98 @@
 #include "mapper/MortarMapping.hpp"
 
+#include "common/errors.hpp"
+#include "geometry/elementQuadrature.hpp"
 #include "mapper/Stopwatch.hpp"
 #include "mapper/conservation.hpp"
 #include "mapper/curveIntersection.hpp"
 #include "mapper/meshIntersection.hpp"
+#include "mapper/patchIntersection.hpp"
+#include <Eigen/Geometry>
 
 namespace tokay::mapper {
+
+namespace {
+
+int quadratureDegree(const SurfaceInterface& splines, const MortarOptions& options) {
+    if (options.patchQuadratureDegree > 0)
+        return options.patchQuadratureDegree;
+    int degree = 1;
+    for (int i = 0; i < splines.nPieces(); ++i) {
+        const geometry::NurbsSurface& surface = splines.piece(i).patch.basis();
+        degree = std::max(degree, surface.u().degree() + surface.v().degree());
+    }
+    return degree;
+}
+
+Functions splineFunctions(const SurfaceInterface& splines, const IntersectionPoint& at) {
+    return splines.functions(at.piece, at.xi, at.eta);
+}
+
+Functions meshFunctions(const SurfaceMesh& mesh, const IntersectionPoint& at) {
+    return mesh.functions(at.triangle, at.inTriangle);
+}
+
+/// Area of the patches, and their functions, whether a face reaches them or not.
+double markPatches(const SurfaceInterface& splines, int degree, MortarAssembler& assembler) {
+    double area = 0;
+    for (int i = 0; i < splines.nPieces(); ++i) {
+        const geometry::TrimmedPatch& patch = splines.piece(i).patch;
+        for (int element = 0; element < patch.nElements(); ++element)
+            for (const auto& at : elementQuadrature(patch, element, degree)) {
+                const Points d = patch.basis().derivatives(at.xi, at.eta, 1);
+                area += at.weight * Point(d.row(1)).cross(Point(d.row(2))).norm();
+                assembler.addUnmatched(splines.functions(i, at.xi, at.eta));
+            }
+    }
+    return area;
+}
+
+void integrateIntersection(const SurfaceMesh& from, const SurfaceInterface& to,
+                           const MortarOptions& options, MortarAssembler& assembler,
+                           GapStatistics& gaps) {
+    const int degree = quadratureDegree(to, options);
+    double covered = 0;
+    IntersectionVisitor visitor;
+    visitor.point = [&](const IntersectionPoint& at) {
+        covered += at.weight;
+        if (gaps.count(at.position, at.gap, true, false, at.weight))
+            assembler.add(at.weight, splineFunctions(to, at), meshFunctions(from, at), at.element);
+    };
+    visitor.endTriangle = [&](int triangle, double) {
+        if (triangle + 1 == from.nTriangles() || from.faceOf(triangle + 1) != from.faceOf(triangle))
+            assembler.endGroup();
+    };
+    intersect(from, to, options.gapLimit.relative * from.size(), degree, visitor);
+    const double area = markPatches(to, degree, assembler);
+    if (covered < (1 - 1e-9) * area)
+        gaps.countUncovered(area - covered);
+}
+
+void integrateIntersection(const SurfaceInterface& from, const SurfaceMesh& to,
+                           const MortarOptions& options, MortarAssembler& assembler,
+                           GapStatistics& gaps) {
+    IntersectionVisitor visitor;
+    visitor.point = [&](const IntersectionPoint& at) {
+        const Functions onMesh = meshFunctions(to, at);
+        if (gaps.count(at.position, at.gap, true, false, at.weight))
+            assembler.add(at.weight, onMesh, splineFunctions(from, at));
+        else
+            assembler.addUnmatched(onMesh);
+    };
+    visitor.endTriangle = [&](int triangle, double coveredShare) {
+        if (coveredShare < 1 - 1e-9) {
+            gaps.countUncovered((1 - coveredShare) * to.triangle(triangle).area());
+            assembler.addUnmatched(
+                to.functions(triangle, geometry::Barycentric::Constant(1.0 / 3)));
+        }
+        if (triangle + 1 == to.nTriangles() || to.faceOf(triangle + 1) != to.faceOf(triangle))
+            assembler.endGroup();
+    };
+    intersect(to, from, options.gapLimit.relative * from.size(), quadratureDegree(from, options),
+              visitor);
+}
+
+} // namespace
 
 MortarMapping::MortarMapping(const CurveInterface& from, const CurveInterface& to,
                              const MortarOptions& options) {
@@ -29,13 +116,38 @@ MortarMapping::MortarMapping(const SurfaceMesh& from, const SurfaceMesh& to,
     report_.seconds = watch.seconds();
 }
 
+MortarMapping::MortarMapping(const SurfaceMesh& from, const SurfaceInterface& to,
+                             const MortarOptions& options) {
+    const Stopwatch watch;
+    if (options.basis == MortarBasis::dual)
+        throw InputError("There is no dual basis for splines on patches: choose the standard "
+                         "mortar basis.");
+    MortarAssembler assembler(to.nValues(), from.nValues(), options.basis, to.nElements());
+    GapStatistics gaps(options.gapLimit, from.size());
+    integrateIntersection(from, to, options, assembler, gaps);
+    gaps.enter(report_);
+    finish(assembler, options, from, to);
+    report_.seconds = watch.seconds();
+}
+
+MortarMapping::MortarMapping(const SurfaceInterface& from, const SurfaceMesh& to,
+                             const MortarOptions& options) {
+    const Stopwatch watch;
+    MortarAssembler assembler(to.nValues(), from.nValues(), options.basis);
+    GapStatistics gaps(options.gapLimit, from.size());
+    integrateIntersection(from, to, options, assembler, gaps);
+    gaps.enter(report_);
+    finish(assembler, options, from, to);
+    report_.seconds = watch.seconds();
+}
+
 void MortarMapping::finish(const MortarAssembler& assembler, const MortarOptions& options,
                            const Discretisation& from, const Discretisation& to) {
     report_.method = options.basis == MortarBasis::dual ? "mortar, dual basis" : "mortar";
     mass_ = assembler.massMatrix();
     cross_ = assembler.crossMatrix();
     inverse_.emplace(mass_, options.singular);
-    report_.nUncovered = assembler.nUncovered();
+    report_.nUncovered = assembler.nUncovered(mass_);
     report_.nInverted = inverse_->nActive();
     report_.rank = inverse_->rank();
     report_.condition = inverse_->conditionOnRange();

@@ -5,6 +5,7 @@
 #include "mapper/Mapping.hpp"
 #include "mapper/MassInverse.hpp"
 #include "mapper/MortarAssembler.hpp"
+#include "mapper/SurfaceInterface.hpp"
 #include "mapper/SurfaceMesh.hpp"
 #include <optional>
 
@@ -17,6 +18,9 @@ struct MortarOptions {
     /// Gauss points an interval beyond those that integrate straight elements
     /// exactly: for curved and rational ones.
     int nExtraPoints = 2;
+    /// Degree of the quadrature on the pieces into which mesh faces and knot spans
+    /// of patches cut each other; 0: the sum of the patch's degrees.
+    int patchQuadratureDegree = 0;
 };
 
 /// L2 projection: M_DD phi_D = M_DO phi_O, integrated on the intersection of the
@@ -35,6 +39,16 @@ class MortarMapping : public Mapping {
     /// Parts of the destination that no source face projects onto are left out
     /// and counted in the coverage.
     MortarMapping(const SurfaceMesh& from, const SurfaceMesh& to,
+                  const MortarOptions& options = {});
+
+    /// From a mesh onto trimmed patches, integrated over the patches. Faces and
+    /// parts of patches without a partner are left out.
+    /// @throws InputError for the dual basis, which splines on patches do not have
+    MortarMapping(const SurfaceMesh& from, const SurfaceInterface& to,
+                  const MortarOptions& options = {});
+
+    /// From trimmed patches onto a mesh.
+    MortarMapping(const SurfaceInterface& from, const SurfaceMesh& to,
                   const MortarOptions& options = {});
 
     Eigen::MatrixXd apply(const Eigen::MatrixXd& values) const override;

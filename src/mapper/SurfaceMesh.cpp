@@ -90,6 +90,15 @@ const Points& SurfaceMesh::coordinates() const {
     return valuesAt_ == ValuesAt::vertices ? vertices_ : centroids_;
 }
 
+std::array<int, 3> SurfaceMesh::cornerNumbers(int triangle) const {
+    const int face = faceOf_[triangle], start = startOf_[triangle];
+    const std::vector<int>& corners = faces_[face];
+    const int n = static_cast<int>(corners.size());
+    if (n == 3)
+        return {corners[0], corners[1], corners[2]};
+    return {corners[start], corners[(start + 1) % n], static_cast<int>(vertices_.rows()) + face};
+}
+
 Functions SurfaceMesh::functions(int triangle, const Barycentric& at) const {
     const int face = faceOf_[triangle];
     if (valuesAt_ == ValuesAt::faces)

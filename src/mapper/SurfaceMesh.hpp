@@ -38,6 +38,9 @@ class SurfaceMesh : public Discretisation {
     int nTriangles() const { return static_cast<int>(triangles_.size()); }
     const geometry::Triangle& triangle(int i) const { return triangles_[i]; }
     int faceOf(int triangle) const { return faceOf_[triangle]; }
+    /// Corners that triangles share have the same number: the vertex, or for the
+    /// centre of a face the number of vertices plus that of the face.
+    std::array<int, 3> cornerNumbers(int triangle) const;
 
     /// Functions of the triangle's face; their list is the same for all of a
     /// face's triangles. Outside the triangle they are continued linearly.

@@ -73,7 +73,7 @@ void integrateIntersection(const CurveInterface& from, const CurveInterface& to,
             const std::vector<double> ends = intervals(elements[e], elements[e + 1], cuts[i]);
             for (std::size_t k = 0; k + 1 < ends.size(); ++k)
                 integrateInterval(to.curve(i), ends[k], ends[k + 1]);
-            assembler.endElement();
+            assembler.endGroup();
         }
     }
 }

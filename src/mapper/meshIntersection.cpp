@@ -136,7 +136,7 @@ void integrateIntersection(const SurfaceMesh& from, const SurfaceMesh& to, const
     for (int i = 0; i < to.nTriangles(); ++i) {
         integration.overTriangle(i);
         if (i + 1 == to.nTriangles() || to.faceOf(i + 1) != to.faceOf(i))
-            assembler.endElement();
+            assembler.endGroup();
     }
 }
 

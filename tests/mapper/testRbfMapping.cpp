@@ -1,0 +1,129 @@
+#include "mapper/RbfMapping.hpp"
+
+#include "geometry/expectInputError.hpp"
+#include "mapper/conservation.hpp"
+#include "mappingProperties.hpp"
+#include "sampleInterfaces.hpp"
+#include "sampleMeshes.hpp"
+#include <Eigen/Geometry>
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace tokay::mapper {
+
+namespace {
+
+const RadialKernel allKernels[] = {RadialKernel::thinPlate, RadialKernel::compactC2,
+                                   RadialKernel::compactC6};
+
+Points cloud(int nX, int nY, int seed) {
+    return flatMesh(nX, nY, FaceKind::triangles, ValuesAt::vertices, 2, 1, seed).coordinates();
+}
+
+/// The flat cloud bent onto a cylinder: points in space.
+Points bent(const Points& flat) {
+    Points points(flat.rows(), 3);
+    for (Eigen::Index i = 0; i < flat.rows(); ++i)
+        points.row(i) << std::cos(flat(i, 0)), std::sin(flat(i, 0)), flat(i, 1);
+    return points;
+}
+
+RbfOptions with(RadialKernel kernel) {
+    RbfOptions options;
+    options.kernel = kernel;
+    return options;
+}
+
+} // namespace
+
+TEST(RbfMapping, takesLinearFieldsExactlyAndConservesForceAndMoment) {
+    const Points line = verticalMesh(12).coordinates(), otherLine = verticalMesh(17).coordinates();
+    const std::pair<Points, Points> pairs[] = {{cloud(9, 7, 0), cloud(6, 8, 2)},
+                                               {bent(cloud(9, 7, 0)), bent(cloud(6, 8, 2))},
+                                               {line, otherLine}};
+    for (const RadialKernel kernel : allKernels)
+        for (const auto& [from, to] : pairs) {
+            const RbfMapping mapping(from, to, with(kernel));
+            const Points expected = linearField(to);
+            // The kernel matrix's condition, 1e4 to 1e6, enlarges rounding.
+            EXPECT_LT((mapping.apply(linearField(from)) - expected).cwiseAbs().maxCoeff(), 1e-10);
+            const Points forces = testForces(to.rows());
+            const Points mapped = mapping.applyTransposed(forces);
+            EXPECT_LT((mapped.colwise().sum() - forces.colwise().sum()).norm(),
+                      1e-10 * forces.norm());
+            EXPECT_LT(mapping.report().momentError, 1e-10);
+            const Points values = testForces(from.rows()).array().cos();
+            EXPECT_NEAR(mapping.apply(values).cwiseProduct(forces).sum(),
+                        values.cwiseProduct(mapped).sum(), 1e-11 * values.norm() * mapped.norm());
+        }
+}
+
+TEST(RbfMapping, passesThroughTheValuesOfTheSource) {
+    const Points from = bent(cloud(9, 7, 0)), values = testForces(from.rows());
+    for (const RadialKernel kernel : allKernels)
+        EXPECT_LT((RbfMapping(from, from, with(kernel)).apply(values) - values).norm(), 1e-9);
+}
+
+TEST(RbfMapping, errorsOfASmoothFieldFallWithTheSpacingAtAFixedRadius) {
+    const Points to = cloud(13, 9, 4);
+    const auto smooth = [](const Points& x) -> Eigen::VectorXd {
+        return (2 * x.col(0)).array().sin() * (3 * x.col(1)).array().cos();
+    };
+    for (const RadialKernel kernel : allKernels) {
+        double previous = 1;
+        for (const int n : {6, 12, 24}) {
+            const Points from = cloud(2 * n, n, 0);
+            RbfOptions options = with(kernel);
+            options.radius = 1;
+            const double error = (RbfMapping(from, to, options).apply(smooth(from)) - smooth(to))
+                                     .cwiseAbs()
+                                     .maxCoeff();
+            // The least order is the thin plate's, 2 up to the boundary: a factor of 4.
+            EXPECT_LT(error, previous / (n == 6 ? 10 : 3)) << nameOf(kernel) << " " << n;
+            previous = error;
+        }
+    }
+}
+
+TEST(RbfMapping, scalePositionAndRotationDoNotMatter) {
+    const Points from = bent(cloud(9, 7, 0)), to = bent(cloud(6, 8, 2));
+    const Points values = testForces(from.rows());
+    const Eigen::Matrix3d rotation =
+        Eigen::AngleAxisd(1.1, Point(1, 2, -1).normalized()).toRotationMatrix();
+    for (const RadialKernel kernel : allKernels) {
+        const Points reference = RbfMapping(from, to, with(kernel)).apply(values);
+        for (const double scale : {1e-6, 1e6}) {
+            const auto moved = [&](const Points& x) -> Points {
+                return (scale * x * rotation.transpose()).rowwise() +
+                       scale * Eigen::RowVector3d(10, -3, 2);
+            };
+            const Points mapped = RbfMapping(moved(from), moved(to), with(kernel)).apply(values);
+            EXPECT_LT((mapped - reference).cwiseAbs().maxCoeff(), 1e-9);
+        }
+    }
+}
+
+TEST(RbfMapping, theAutomaticRadiusHoldsTheNeighboursOfEveryPoint) {
+    const Points from = cloud(20, 10, 0);
+    RbfOptions options = with(RadialKernel::compactC2);
+    options.nNeighbours = 15;
+    const double radius = RbfMapping(from, from, options).radius();
+    Eigen::Index fewest = from.rows();
+    for (Eigen::Index i = 0; i < from.rows(); ++i)
+        fewest = std::min(fewest, ((from.rowwise() - from.row(i)).rowwise().norm().array() <=
+                                   radius * (1 + 1e-12))
+                                      .count());
+    EXPECT_EQ(fewest, 16); // itself and 15
+}
+
+TEST(RbfMapping, refusesCoincidingPointsTooManyPointsAndFarOnes) {
+    Points from = cloud(4, 4, 0);
+    from.row(7) = from.row(3);
+    expectInputError([&] { RbfMapping(from, from); }, {"point 3", "coincides"});
+    const Points many = cloud(90, 90, 0), far = cloud(2, 2, 0).array() + 9;
+    expectInputError([&] { RbfMapping(many, many.topRows(5)); }, {"8281", "8000", "compactC2"});
+    expectInputError([&] { RbfMapping(cloud(4, 4, 0), far); }, {"do not lie on each other"});
+    expectInputError([] { radialKernelFromName("gauss"); }, {"gauss", "thinPlate"});
+}
+
+} // namespace tokay::mapper
