@@ -4,6 +4,8 @@
 #include "igaStructure/caseFile/CaseSection.hpp"
 #include "igaStructure/caseFile/requireUsed.hpp"
 
+#include <algorithm>
+#include <cassert>
 #include <map>
 
 namespace tokay::structure {
@@ -81,6 +83,14 @@ Coupling readCoupling(const CaseSection& section) {
         throw section.error("", error.what()); // options that exclude each other
     }
     return result;
+}
+
+std::string nameOf(coupling::Acceleration acceleration) {
+    const auto found =
+        std::find_if(accelerations.begin(), accelerations.end(),
+                     [&](const auto& named) { return named.second == acceleration; });
+    assert(found != accelerations.end());
+    return found->first;
 }
 
 } // namespace tokay::structure

@@ -108,6 +108,7 @@ std::optional<BeginStep> Session::nextStep() {
     });
     if (const auto* goodbye = std::get_if<Goodbye>(&message)) {
         report_("the fluid ends the run: " + goodbye->reason);
+        link_.send(Goodbye{"all results are written"});
         return std::nullopt;
     }
     if (const auto* begin = std::get_if<BeginStep>(&message)) {

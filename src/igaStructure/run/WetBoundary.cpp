@@ -17,38 +17,18 @@ namespace {
 
 using Pairs = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
 
-void requireConsistent(const Interface& fluid) {
+// That its arrays fit each other was checked when the message arrived.
+void requirePlane(const Interface& fluid) {
     if (fluid.dimension != 2) {
         throw InputError(fmt::format(
             "the fluid's interface has {} dimensions, but planeStrain and planeStress need 2: the "
             "fluid's mesh must be one cell thick with 'empty' front and back",
             fluid.dimension));
     }
-    const std::size_t nPoints = fluid.points.size() / 2;
-    const bool countsFit = fluid.points.size() % 2 == 0 && nPoints > 0 &&
-                           fluid.displacements.size() == fluid.points.size() &&
-                           fluid.faceOffsets.size() > 1 && fluid.faceOffsets.front() == 0 &&
-                           fluid.faceOffsets.back() == fluid.facePoints.size();
-    if (!countsFit) {
-        throw PeerError("the fluid's interface is not consistent: its counts of points, "
-                        "displacements and faces do not fit");
-    }
-    for (std::size_t face = 0; face + 1 < fluid.faceOffsets.size(); ++face) {
-        if (fluid.faceOffsets[face] >= fluid.faceOffsets[face + 1]) {
-            throw PeerError(fmt::format("the fluid's interface face {} has no points", face));
-        }
-    }
-    for (std::uint32_t point : fluid.facePoints) {
-        if (point >= nPoints) {
-            throw PeerError(fmt::format("the fluid's interface has {} points, but a face names "
-                                        "point {}",
-                                        nPoints, point));
-        }
-    }
 }
 
 Points readPoints(const Interface& fluid) {
-    requireConsistent(fluid);
+    requirePlane(fluid);
     const Eigen::Map<const Pairs> given(fluid.points.data(), fluid.points.size() / 2, 2);
     Points points = Points::Zero(given.rows(), 3);
     points.leftCols<2>() = given;
@@ -61,6 +41,9 @@ Points meansOfFaces(const Interface& fluid, const Points& points) {
     for (Eigen::Index face = 0; face < nFaces; ++face) {
         const std::uint32_t begin = fluid.faceOffsets[face];
         const std::uint32_t end = fluid.faceOffsets[face + 1];
+        if (begin == end) {
+            throw PeerError(fmt::format("face {} of the fluid's interface has no points", face));
+        }
         for (std::uint32_t k = begin; k < end; ++k) {
             centres.row(face) += points.row(fluid.facePoints[k]) / (end - begin);
         }

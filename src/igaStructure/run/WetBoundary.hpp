@@ -15,7 +15,6 @@ namespace tokay::structure {
 class WetBoundary {
   public:
     /// @throws InputError if the two sides do not fit: dimension, gap
-    ///         PeerError if the fluid's interface is not consistent in itself
     WetBoundary(const PlaneSolid& solid, const Coupling& coupling,
                 const coupling::Interface& fluid);
 

@@ -1,5 +1,6 @@
 #include "igaStructure/run/checkCase.hpp"
 
+#include "igaStructure/caseFile/readCoupling.hpp"
 #include "igaStructure/run/StructureSetup.hpp"
 #include "igaStructure/run/Watch.hpp"
 #include "igaStructure/timeIntegration/TimeIntegrator.hpp"
@@ -18,20 +19,6 @@ std::vector<std::string> edgeNames(const std::vector<geometry::Edge>& edges) {
     return names;
 }
 
-const char* accelerationName(coupling::Acceleration acceleration) {
-    switch (acceleration) {
-    case coupling::Acceleration::explicitCoupling:
-        return "explicit";
-    case coupling::Acceleration::constant:
-        return "constant relaxation";
-    case coupling::Acceleration::aitken:
-        return "Aitken";
-    case coupling::Acceleration::iqnIls:
-        return "IQN-ILS";
-    }
-    return "";
-}
-
 std::string describeUse(const Case& structureCase) {
     std::string text;
     if (structureCase.timeSteps) {
@@ -42,7 +29,7 @@ std::string describeUse(const Case& structureCase) {
         const Coupling& coupling = *structureCase.coupling;
         text += fmt::format("  coupled: interface {}, nearest element (gap limit {:g}), {}\n",
                             fmt::join(edgeNames(coupling.interface), " "), coupling.gapLimit,
-                            accelerationName(coupling.options.acceleration));
+                            nameOf(coupling.options.acceleration));
     }
     return text;
 }

@@ -45,8 +45,9 @@ TimeIntegrator::TimeIntegrator(StructuralModel& model, const TimeScheme& scheme,
     state_.acceleration = state_.displacement;
     state_.force = model.externalForce(startTime);
     model_.internalForce(state_.displacement, stiffness_);
-    smallestForce_ = std::numeric_limits<double>::epsilon() *
-                     VectorXd(stiffness_.diagonal()).norm() * model.size();
+    internalRounding_ = std::numeric_limits<double>::epsilon() *
+                        VectorXd(stiffness_.diagonal()).norm() * model.size();
+    inertiaRounding_ = std::numeric_limits<double>::epsilon() * VectorXd(mass_.diagonal()).norm();
     if (scheme.dynamic) {
         setInitialAcceleration();
     } else if (!model.freeRigidMotions().empty()) {
@@ -139,11 +140,12 @@ TimeIntegrator::Balance TimeIntegrator::balance(const VectorXd& displacement) co
         internal = model_.internalForce(middle);
     }
     Balance balance;
+    balance.rounding = internalRounding_;
     balance.smallestVolumeRatio = internal.smallestVolumeRatio;
     const VectorXd external = atAlphaF(state_.force, force_);
     balance.residual = external - internal.force;
     // Reactions at supports are in balance too, so the norms are of whole vectors.
-    balance.scale = std::max({external.norm(), internal.force.norm(), smallestForce_});
+    balance.scale = std::max({external.norm(), internal.force.norm(), balance.rounding});
     if (scheme_.dynamic) {
         const VectorXd acceleration = accelerationFor(displacement);
         const VectorXd inertia =
@@ -151,6 +153,9 @@ TimeIntegrator::Balance TimeIntegrator::balance(const VectorXd& displacement) co
         balance.residual -= inertia;
         balance.residual -= dampingForce(atAlphaF(state_.velocity, velocityFor(acceleration)));
         balance.scale = std::max(balance.scale, inertia.norm());
+        // Accelerations are differences of displacements over the time step squared.
+        balance.rounding += inertiaRounding_ * displacement.lpNorm<Eigen::Infinity>() /
+                            (scheme_.beta * deltaT_ * deltaT_);
     }
     setFixedToZero(model_.fixed(), balance.residual);
     return balance;
@@ -206,7 +211,7 @@ void TimeIntegrator::solveNonlinear() {
             throwNotConverged("the residual is not finite");
         }
         // No iteration gets below rounding error.
-        if (residuals_.back() <= newton_.tolerance || current.residual.norm() <= smallestForce_) {
+        if (residuals_.back() <= newton_.tolerance || current.residual.norm() <= current.rounding) {
             return;
         }
         model_.internalForce(atAlphaF(state_.displacement, displacement_), tangent_);

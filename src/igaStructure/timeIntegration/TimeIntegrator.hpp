@@ -80,6 +80,7 @@ class TimeIntegrator {
     struct Balance {
         Eigen::VectorXd residual; ///< external - inertia - damping - internal, 0 where fixed
         double scale = 0;         ///< largest norm of its terms
+        double rounding = 0;      ///< no residual gets smaller
         double smallestVolumeRatio = 1;
     };
 
@@ -104,7 +105,8 @@ class TimeIntegrator {
     SparseMatrix stiffness_; ///< at rest: linear structures, stiffness damping
     SparseMatrix tangent_;   ///< of the internal force, then of the whole balance
     SparseCholesky solver_;
-    double smallestForce_; ///< rounding error of internal forces [N]
+    double internalRounding_; ///< rounding error of internal forces [N]
+    double inertiaRounding_;  ///< the same of inertia, per acceleration [N s^2/m]
 
     MotionState state_;
     Energies energies_;

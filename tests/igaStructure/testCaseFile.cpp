@@ -1,0 +1,184 @@
+#include "exampleCase.hpp"
+#include "igaStructure/caseFile/CaseEntry.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <set>
+#include <sstream>
+
+using namespace tokay;
+using namespace tokay::structure;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+namespace {
+
+std::string mistake(const std::string& text) {
+    try {
+        readText(text);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+std::string mistake(const std::string& from, const std::string& to) {
+    return mistake(exampleText(from, to));
+}
+
+} // namespace
+
+TEST(CaseFile, valid_file_is_read_with_its_values_and_defaults) {
+    const Case read = readText(exampleText());
+    EXPECT_EQ(read.name, "case");
+    EXPECT_EQ(read.surface.nControlPoints(), 3 * 11);
+    EXPECT_EQ(read.material.youngsModulus, 4e6);
+    EXPECT_EQ(read.material.thickness, 1);
+    EXPECT_TRUE(read.supports.at(0).fixed[0] && read.supports.at(0).fixed[1]);
+    EXPECT_EQ(read.loads.tractions.at(0).traction[0](0, 0.5, 0), 50);
+    EXPECT_EQ(read.timeSteps->step, 0.01);
+    EXPECT_EQ(read.output.interval, 10);
+    EXPECT_FALSE(read.coupling);
+}
+
+TEST(CaseFile, unknown_entry_is_reported_with_place_and_the_closest_known_one) {
+    EXPECT_THAT(mistake("poissonsRatio", "poisonsRatio"),
+                AllOf(HasSubstr("case.yaml:12:3: material: unknown entry 'poisonsRatio'"),
+                      HasSubstr("did you mean 'poissonsRatio'?"), HasSubstr("youngsModulus")));
+}
+
+TEST(CaseFile, nothing_is_suggested_for_an_entry_that_resembles_none) {
+    EXPECT_THAT(mistake("  density: 3000", "  density: 3000\n  colour: 1"),
+                AllOf(HasSubstr("case.yaml:14:3: material: unknown entry 'colour'; known here"),
+                      Not(HasSubstr("did you mean"))));
+}
+
+TEST(CaseFile, entry_given_twice_is_reported_with_both_lines) {
+    EXPECT_THAT(mistake("  density: 3000", "  density: 3000\n  density: 1"),
+                AllOf(HasSubstr("case.yaml:14:3: material: entry 'density' is given twice"),
+                      HasSubstr("line 13")));
+}
+
+TEST(CaseFile, missing_entry_is_reported_with_its_meaning) {
+    EXPECT_THAT(mistake("  density: 3000\n", ""),
+                AllOf(HasSubstr("case.yaml:10:3: material: entry 'density' is missing"),
+                      HasSubstr("Density in the reference configuration")));
+}
+
+TEST(CaseFile, wrong_type_is_reported_with_what_was_given) {
+    EXPECT_THAT(mistake("4e6", "stiff"),
+                HasSubstr("case.yaml:11:18: material.youngsModulus: must be a number, but is "
+                          "'stiff'"));
+    EXPECT_THAT(mistake("4e6", "[1, 2]"), HasSubstr("must be a number, but is a list"));
+    EXPECT_THAT(mistake("4e6", ".nan"), HasSubstr("must be a finite number"));
+    EXPECT_THAT(mistake("[1, 8]", "[1, 2.5]"),
+                HasSubstr("case.yaml:5:17: discretisation.elements[1]: must be an integer"));
+    EXPECT_THAT(mistake("output:", "newton: {lineSearch: 3}\noutput:"),
+                HasSubstr("newton.lineSearch: must be yes or no, but is '3'"));
+    EXPECT_THAT(mistake("time:\n  step: 0.01\n  end: 0.1\n", "time: 3\n"),
+                HasSubstr("time: must be a map with the entries scheme"));
+}
+
+TEST(CaseFile, value_out_of_range_is_reported_with_the_range) {
+    EXPECT_THAT(mistake("0.3", "0.5"),
+                HasSubstr("case.yaml:12:18: material.poissonsRatio: 0.5 is out of range; allowed: "
+                          "(-1, 0.5)"));
+    EXPECT_THAT(mistake("4e6", "0"), HasSubstr("allowed: (0, inf) Pa"));
+    EXPECT_THAT(mistake("[1, 8]", "[0, 8]"), HasSubstr("elements[0]: 0 is out of range"));
+}
+
+TEST(CaseFile, word_that_is_not_allowed_is_reported_with_the_allowed_ones) {
+    EXPECT_THAT(mistake("planeStrain", "planestrain"),
+                AllOf(HasSubstr("model.kinematics: 'planestrain' is not allowed; did you mean "
+                                "'planeStrain'?"),
+                      HasSubstr("allowed: planeStrain, planeStress")));
+    EXPECT_THAT(mistake("edge: bottom", "edge: base"),
+                HasSubstr("case.yaml:15:12: supports[0].edge: 'base' is not allowed"));
+}
+
+TEST(CaseFile, list_of_wrong_length_is_reported) {
+    EXPECT_THAT(mistake("[0.1, 1]", "[0.1, 1, 2]"),
+                HasSubstr("geometry.rectangle.size: must have 2 values, but has 3"));
+    EXPECT_THAT(mistake("fix: [x, y]", "fix: []"), HasSubstr("supports[0].fix: is empty"));
+}
+
+TEST(CaseFile, formula_that_cannot_be_read_is_reported_with_its_place) {
+    EXPECT_THAT(mistake("100*y", "100*z"),
+                AllOf(HasSubstr("case.yaml:17:29: loads[0].traction[0]: formula '100*z'"),
+                      HasSubstr("\"z\""), HasSubstr("Variables are x, y [m] and t [s]")));
+    EXPECT_THAT(mistake("100*y", "sin("), HasSubstr("formula 'sin(' cannot be read"));
+}
+
+TEST(CaseFile, text_that_is_not_YAML_is_reported_with_its_place) {
+    EXPECT_THAT(mistake("size: [0.1, 1]", "size: [0.1, 1"),
+                AllOf(HasSubstr("case.yaml:"), HasSubstr("this is not YAML")));
+    EXPECT_THAT(mistake(""), HasSubstr("must be a map with the entries name, geometry"));
+}
+
+TEST(CaseFile, file_that_does_not_exist_is_reported) {
+    EXPECT_THROW(
+        {
+            try {
+                readCase("nowhere/case.yaml");
+            } catch (const InputError& error) {
+                EXPECT_STREQ(error.what(), "cannot read case file 'nowhere/case.yaml': No such "
+                                           "file or directory");
+                throw;
+            }
+        },
+        InputError);
+}
+
+TEST(CaseFile, entries_that_exclude_each_other_are_reported) {
+    EXPECT_THAT(mistake("  rectangle: {origin: [-0.05, 0], size: [0.1, 1]}\n", "  {}\n"),
+                HasSubstr("geometry: give exactly one of: rectangle, nurbs"));
+    EXPECT_THAT(mistake("[2, 3]", "[2, 0]"), HasSubstr("degree[1]: 0 is out of range"));
+    EXPECT_THAT(mistake("  strains: linear", "  strains: linear\n  thickness: 2"),
+                HasSubstr("model.thickness: has no meaning with planeStrain"));
+    EXPECT_THAT(mistake("planeStrain", "planeStress"),
+                HasSubstr("model: entry 'thickness' is missing: planeStress needs it"));
+    EXPECT_THAT(mistake("traction: [\"100*y\", 0]", "gravity: [0, -1]"),
+                HasSubstr("loads[0]: give either edge and traction, or gravity alone"));
+    EXPECT_THAT(mistake("  step: 0.01\n", "  step: 0.01\n  beta: 0.3\n"),
+                HasSubstr("time.beta: has no meaning with scheme generalisedAlpha"));
+    EXPECT_THAT(mistake("  end: 0.1\n", ""), HasSubstr("time: entry 'end' is missing"));
+    EXPECT_THAT(mistake("end: 0.1", "end: 0.001"), HasSubstr("shorter than one step"));
+    EXPECT_THAT(mistake("output:", "coupling:\n  interface: [left]\n  acceleration: {type: aitken, "
+                                   "reusedTimeSteps: 3}\noutput:"),
+                HasSubstr("coupling.acceleration.reusedTimeSteps: has no meaning with acceleration "
+                          "type aitken"));
+}
+
+TEST(CaseFile, nurbs_patch_that_does_not_fit_its_knots_is_reported_with_its_place) {
+    const std::string patch = "  nurbs: {degree: [1, 1], knotsXi: [0, 0, 1, 1], knotsEta: [0, 0, "
+                              "1, 1], controlPoints: [[0, 0], [1, 0], [0, 1]]}\n";
+    EXPECT_THAT(mistake("  rectangle: {origin: [-0.05, 0], size: [0.1, 1]}\n", patch),
+                HasSubstr("case.yaml:2:10: geometry.nurbs: "));
+}
+
+TEST(CaseFile, every_path_of_the_table_of_entries_is_unique_and_has_a_parent) {
+    std::set<std::string> paths;
+    for (const CaseEntry& entry : caseEntries()) {
+        EXPECT_TRUE(paths.insert(entry.path).second) << entry.path;
+        const auto dot = entry.path.rfind('.');
+        if (dot != std::string::npos) {
+            std::string parent = entry.path.substr(0, dot);
+            if (parent.size() > 2 && parent.substr(parent.size() - 2) == "[]") {
+                parent.resize(parent.size() - 2);
+            }
+            EXPECT_TRUE(paths.count(parent)) << entry.path;
+        }
+        EXPECT_FALSE(entry.meaning.empty()) << entry.path;
+    }
+}
+
+TEST(CaseFile, manual_has_the_table_of_entries_as_the_reader_uses_it) {
+    std::ifstream file(TOKAY_SOURCE_DIR "/doc/caseFile.md");
+    std::ostringstream manual;
+    manual << file.rdbuf();
+    EXPECT_THAT(manual.str(), HasSubstr(describeCaseEntries()))
+        << "igaStructure entries prints what doc/caseFile.md must contain";
+}
