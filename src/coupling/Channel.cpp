@@ -228,6 +228,10 @@ const std::string& Channel::peer() const {
     return implementation_->peer;
 }
 
+int Channel::fileDescriptor() const {
+    return implementation_->socket.native_handle();
+}
+
 void Channel::trust(const std::string& peer) {
     implementation_->peer = peer;
     implementation_->limit = largestPayload;

@@ -67,6 +67,9 @@ class Channel {
     /// "the fluid", "the structure", or "the peer" before the handshake.
     const std::string& peer() const;
 
+    /// The socket, for a signal handler, which may call nothing of this class.
+    int fileDescriptor() const;
+
     /// Names the peer in messages from now on, and allows it frames of any
     /// type's full size; shakeHands calls it.
     void trust(const std::string& peer);

@@ -357,12 +357,7 @@ Foam::List<Foam::vectorField> Foam::couplingInterface::distribute
     if (Pstream::master())
     {
         own = rankValues(values, Pstream::masterNo());
-        for
-        (
-            label rank = Pstream::firstSlave();
-            rank <= Pstream::lastSlave();
-            ++rank
-        )
+        for (label rank = 1; rank < Pstream::nProcs(); ++rank)
         {
             OPstream toRank(Pstream::commsTypes::scheduled, rank);
             toRank << rankValues(values, rank);

@@ -44,6 +44,22 @@ double wallClock()
     ).count();
 }
 
+//- Where the mesh keeps the solvers' residuals: in a member of its own in
+//  later versions of OpenFOAM ...
+template<class Mesh>
+auto performanceStore(const Mesh& mesh, int)
+ -> decltype(mesh.data().solverPerformanceDict(), mesh.data())
+{
+    return mesh.data();
+}
+
+//- ... and in a base class in earlier ones
+template<class Mesh>
+const Mesh& performanceStore(const Mesh& mesh, long)
+{
+    return mesh;
+}
+
 } // End anonymous namespace
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -187,16 +203,11 @@ Foam::couplingSession::findPointDisplacement() const
 }
 
 
-bool Foam::couplingSession::finalCorrector() const
-{
-    return mesh_.data::lookupOrDefault("finalIteration", false);
-}
-
-
 Foam::scalar Foam::couplingSession::momentumResidual() const
 {
     List<SolverPerformance<vector>> performance;
-    const dictionary& all = mesh_.solverPerformanceDict();
+    const dictionary& all =
+        performanceStore(mesh_, 0).solverPerformanceDict();
     if
     (
         !all.readIfPresent(force_.UName(), performance)
@@ -230,7 +241,7 @@ bool Foam::couplingSession::loopConverged() const
 void Foam::couplingSession::enterResidual(const scalar residual)
 {
     const word& name = residualField_->name();
-    mesh_.data::setSolverPerformance
+    performanceStore(mesh_, 0).setSolverPerformance
     (
         name,
         SolverPerformance<scalar>
@@ -479,7 +490,7 @@ const Foam::vectorField& Foam::couplingSession::displacement
     {
         beginTimeStep();
     }
-    else if (corrector_ != pimple_.corr() && !finalCorrector())
+    else if (corrector_ != pimple_.corr() && !pimple_.finalIter())
     {
         displacement_ = nextDisplacement_;
     }
@@ -508,7 +519,7 @@ void Foam::couplingSession::endCorrector()
     current_.correctors = corrector_;
     current_.fluidResidual = momentumResidual();
 
-    if (finalCorrector())
+    if (pimple_.finalIter())
     {
         const bool ranOut = corrector_ == pimple_.nCorrPIMPLE();
         if (!explicit_ && ranOut && !loopConverged())

@@ -161,7 +161,7 @@ void Foam::structureConnection::onMaster(const std::function<void()>& action)
         catch (const PeerError& peerError)
         {
             error = peerError.what();
-            channel_.reset();
+            closeChannel();
             const std::string how(process_ ? process_->end(patience) : "");
             if (!how.empty())
             {
@@ -182,8 +182,20 @@ void Foam::structureConnection::onMaster(const std::function<void()>& action)
 }
 
 
+void Foam::structureConnection::closeChannel()
+{
+    notice_.reset();
+    channel_.reset();
+}
+
+
 void Foam::structureConnection::raise(const std::string& text) const
 {
+    if (!Pstream::master())
+    {
+        // The master speaks for all, and its end is that of this rank
+        IPstream(Pstream::commsTypes::scheduled, Pstream::masterNo());
+    }
     if (starting_)
     {
         FatalIOErrorInFunction(dict_) << text.c_str() << exit(FatalIOError);
@@ -228,6 +240,11 @@ Foam::structureConnection::structureConnection
     {
         launch(structureDict, runTime);
     }
+
+    notice_.reset
+    (
+        new endNotice(channel_ ? channel_->fileDescriptor() : -1)
+    );
 
     const scalar silence =
         structureDict.lookupOrDefault<scalar>("silenceInterval", 60);
@@ -310,7 +327,7 @@ void Foam::structureConnection::fail(const std::string& text)
     if (channel_)
     {
         channel_->trySend(Failure{text});
-        channel_.reset();
+        closeChannel();
     }
     raise(text);
 }
@@ -325,7 +342,7 @@ void Foam::structureConnection::close(const std::string& reason)
             channel_->send(Goodbye{reason});
             // Answered when all output of the structure is safe
             channel_->receive<Goodbye>("the structure to end");
-            channel_.reset();
+            closeChannel();
             const std::string how(process_ ? process_->end(patience) : "");
             if (!how.empty())
             {
