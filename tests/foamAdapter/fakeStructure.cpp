@@ -173,7 +173,7 @@ class Structure {
         if (behaves("dies")) {
             std::raise(SIGKILL);
         }
-        if (behaves("silent") && time_ < 0.015) {
+        if (behaves("silent") && time_ < 0.015 && exchange_ == 1) {
             std::this_thread::sleep_for(std::chrono::milliseconds(1500));
         }
     }

@@ -232,10 +232,8 @@ steadySolver()
 {
     makeCase fluid
     entry system/fvSolution SIMPLE '{}'
-    startTime=$SECONDS
-    run simpleFoam > log.pimpleFoam 2>&1 &
-    fluid=$!
-    expectBadEnd
+    solver=simpleFoam
+    runFaultyFluid
     expectText log.pimpleFoam "this solver has no PIMPLE loop to couple in: use one like pimpleFoam"
 }
 
