@@ -72,6 +72,17 @@ TEST(CoupledRun, constant_force_moves_the_structure_as_the_same_traction_does_al
     }
 }
 
+TEST(CoupledRun, every_acceleration_ends_at_the_same_answer) {
+    std::vector<double> tips;
+    for (const char* type : {"explicit", "constant", "aitken", "iqnIls", "mvqn"}) {
+        const TemporaryDirectory directory;
+        const std::string option = std::string("  acceleration: {type: ") + type + "}\n";
+        tips.push_back(watchOfCoupledRun(directory, coupledText() + option, 20).back()[1]);
+        // The accepted displacement belongs to the final forces, which are constant here.
+        EXPECT_NEAR(tips.back(), tips.front(), 1e-12 * tips.front()) << type;
+    }
+}
+
 TEST(CoupledRun, plate_of_any_thickness_moves_alike_because_forces_are_per_unit_depth) {
     std::vector<double> tips;
     for (const char* thickness : {"1", "0.2"}) {

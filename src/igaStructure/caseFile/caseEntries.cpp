@@ -1,5 +1,9 @@
 #include "igaStructure/caseFile/CaseEntry.hpp"
 
+#include "coupling/CouplingOptions.hpp"
+
+#include <fmt/format.h>
+
 namespace tokay::structure {
 
 namespace {
@@ -9,6 +13,12 @@ constexpr auto optional = Presence::optional;
 constexpr auto defaulted = Presence::defaulted;
 
 constexpr auto edges = "left right bottom top";
+
+const coupling::CouplingOptions coupled;
+
+std::string withDefault(const char* meaning, double value) {
+    return fmt::format("{}; {:g} if not given.", meaning, value);
+}
 
 } // namespace
 
@@ -127,30 +137,34 @@ const std::vector<CaseEntry>& caseEntries() {
      "Polynomial through accepted interface displacements that starts a time step."},
     {"coupling.acceleration", Kind::map, defaulted, "{}", "", "", 0,
      "How the next interface displacement follows from the last exchanges."},
-    {"coupling.acceleration.type", Kind::word, defaulted, "iqnIls", "", "explicit constant aitken iqnIls", 0,
-     "explicit: one exchange a time step, nothing iterated. constant: constant relaxation. aitken: dynamic relaxation. iqnIls: interface quasi-Newton by least squares."},
+    {"coupling.acceleration.type", Kind::word, defaulted, "iqnIls", "", "explicit constant aitken iqnIls mvqn", 0,
+     "explicit: one exchange a time step, nothing iterated. constant: constant relaxation. aitken: dynamic relaxation. iqnIls: interface quasi-Newton by least squares. mvqn: multi-vector quasi-Newton, whose Jacobian is carried over time steps."},
     {"coupling.acceleration.relaxation", Kind::number, optional, "", "", "(0, 2]", 0,
-     "constant: share of the residual added; 0.5 if not given."},
+     withDefault("constant: share of the residual added", coupled.relaxation)},
     {"coupling.acceleration.initialRelaxation", Kind::number, optional, "", "", "(0, 2]", 0,
-     "aitken, iqnIls: share of the residual in a move about which nothing is known yet; 0.1 if not given."},
+     withDefault("aitken, iqnIls, mvqn: share of the residual in a move about which nothing is known yet", coupled.initialRelaxation)},
     {"coupling.acceleration.smallestRelaxation", Kind::number, optional, "", "", "(0, 2]", 0,
-     "aitken: lower bound; 0.01 if not given."},
+     withDefault("aitken: lower bound", coupled.smallestRelaxation)},
     {"coupling.acceleration.largestRelaxation", Kind::number, optional, "", "", "(0, inf)", 0,
-     "aitken: upper bound; 1.5 if not given."},
+     withDefault("aitken: upper bound", coupled.largestRelaxation)},
     {"coupling.acceleration.reusedTimeSteps", Kind::integer, optional, "", "", "[0, inf)", 0,
-     "iqnIls: earlier time steps whose differences are used; 15 if not given."},
+     withDefault("iqnIls: earlier time steps whose differences are used", coupled.reusedTimeSteps)},
     {"coupling.acceleration.largestColumns", Kind::integer, optional, "", "", "[1, inf)", 0,
-     "iqnIls: differences kept at most, the newest ones; 30 if not given."},
+     withDefault("iqnIls: differences kept at most, the newest ones", coupled.largestColumns)},
+    {"coupling.acceleration.largestRank", Kind::integer, optional, "", "", "[1, inf)", 0,
+     withDefault("mvqn: rank of the Jacobian at which it restarts with the half of it, by singular values", coupled.largestRank)},
+    {"coupling.acceleration.rankLimit", Kind::number, optional, "", "", "[0, 1)", 0,
+     withDefault("mvqn: at a restart singular values below this share of the largest are dropped", coupled.rankLimit)},
     {"coupling.acceleration.filter", Kind::word, optional, "", "", "qr1 qr2", 0,
-     "iqnIls: which differences count as dependent. qr1: by the diagonal of R against its norm; qr2: by what is new in a difference against its length. qr2 if not given."},
+     "iqnIls, mvqn: which differences count as dependent. qr1: by the diagonal of R against its norm; qr2: by what is new in a difference against its length; qr2 if not given."},
     {"coupling.acceleration.filterLimit", Kind::number, optional, "", "", "[0, 1)", 0,
-     "iqnIls: limit of the filter; 0.01 if not given."},
+     withDefault("iqnIls, mvqn: limit of the filter", coupled.filterLimit)},
     {"coupling.acceleration.signalToNoise", Kind::number, optional, "", "", "[0, inf)", 0,
-     "iqnIls: a difference is used if it exceeds, relative to the displacement, this many residuals of the fluid; 3 if not given, 0: always."},
+     withDefault("iqnIls, mvqn: a difference is used if it exceeds, relative to the displacement, this many residuals of the fluid; 0: always", coupled.signalToNoise)},
     {"coupling.acceleration.largestStep", Kind::number, optional, "", "", "[0, inf)", 0,
-     "iqnIls: a move is at most this many residuals long; 2 if not given, 0: any."},
+     withDefault("iqnIls, mvqn: a move is at most this many residuals long; 0: any", coupled.largestStep)},
     {"coupling.acceleration.keepFraction", Kind::number, optional, "", "", "[0, 1)", 0,
-     "iqnIls: after a time step its differences below this share of its largest are dropped; 0.05 if not given, 0: none."},
+     withDefault("iqnIls, mvqn: after a time step its differences below this share of its largest are dropped; 0: none", coupled.keepFraction)},
     {"coupling.convergence", Kind::map, defaulted, "{}", "", "", 0,
      "Criteria beside the fluid's tolerance, which is the relative one for the displacement."},
     {"coupling.convergence.absoluteDisplacement", Kind::number, defaulted, "0", "m", "[0, inf)", 0,

@@ -18,13 +18,17 @@ const std::map<std::string, std::vector<std::string>> optionsOfAcceleration = {
     {"aitken", {"type", "initialRelaxation", "smallestRelaxation", "largestRelaxation"}},
     {"iqnIls",
      {"type", "initialRelaxation", "reusedTimeSteps", "largestColumns", "filter", "filterLimit",
+      "signalToNoise", "largestStep", "keepFraction"}},
+    {"mvqn",
+     {"type", "initialRelaxation", "largestRank", "rankLimit", "filter", "filterLimit",
       "signalToNoise", "largestStep", "keepFraction"}}};
 
 const std::map<std::string, coupling::Acceleration> accelerations = {
     {"explicit", coupling::Acceleration::explicitCoupling},
     {"constant", coupling::Acceleration::constant},
     {"aitken", coupling::Acceleration::aitken},
-    {"iqnIls", coupling::Acceleration::iqnIls}};
+    {"iqnIls", coupling::Acceleration::iqnIls},
+    {"mvqn", coupling::Acceleration::mvqn}};
 
 const std::map<std::string, coupling::Extrapolation> extrapolations = {
     {"constant", coupling::Extrapolation::constant},
@@ -53,6 +57,8 @@ void readAcceleration(const CaseSection& section, coupling::CouplingOptions& opt
     readIfGiven(section, "largestRelaxation", options.largestRelaxation);
     readIfGiven(section, "reusedTimeSteps", options.reusedTimeSteps);
     readIfGiven(section, "largestColumns", options.largestColumns);
+    readIfGiven(section, "largestRank", options.largestRank);
+    readIfGiven(section, "rankLimit", options.rankLimit);
     readIfGiven(section, "filterLimit", options.filterLimit);
     readIfGiven(section, "signalToNoise", options.signalToNoise);
     readIfGiven(section, "largestStep", options.largestStep);
