@@ -10,8 +10,8 @@ namespace {
 
 using Parameters = Eigen::Vector2d;
 
-Osculation<2> osculation(const NurbsSurface& surface, const Parameters& x, const Point& point) {
-    const Points d = surface.derivatives(x[0], x[1], 2);
+Osculation<2> osculation(const BezierPatch& patch, const Parameters& x, const Point& point) {
+    const BezierPatch::Derivatives d = patch.derivatives(x);
     Osculation<2> at;
     at.offset = d.row(0).transpose() - point;
     at.tangents << d.row(1).transpose(), d.row(2).transpose();
@@ -21,23 +21,9 @@ Osculation<2> osculation(const NurbsSurface& surface, const Parameters& x, const
     return at;
 }
 
-/// The closest of the places of the control points, as if evenly parametrised.
-Parameters start(const NurbsSurface& piece, const Point& point) {
-    const Points& points = piece.controlPoints();
-    Eigen::Index closest;
-    (points.rowwise() - point.transpose()).rowwise().squaredNorm().minCoeff(&closest);
-    const int nU = piece.u().nBasis();
-    const double s = static_cast<double>(closest % nU) / piece.u().degree();
-    const double t = static_cast<double>(closest / nU) / piece.v().degree();
-    return {piece.u().first() + s * (piece.u().last() - piece.u().first()),
-            piece.v().first() + t * (piece.v().last() - piece.v().first())};
-}
-
-ClosestParameter<2> closestIn(const NurbsSurface& piece, const Point& point, double size) {
-    return closestParameter<2>([&](const Parameters& x) { return osculation(piece, x, point); },
-                               Parameters(piece.u().first(), piece.v().first()),
-                               Parameters(piece.u().last(), piece.v().last()), start(piece, point),
-                               size);
+ClosestParameter<2> closestIn(const BezierPatch& patch, const Point& point, double size) {
+    return closestParameter<2>([&](const Parameters& x) { return osculation(patch, x, point); },
+                               patch.lower(), patch.upper(), patch.guess(point), size);
 }
 
 } // namespace
@@ -46,19 +32,20 @@ SurfaceProjector::SurfaceProjector(const NurbsSurface& surface) {
     const Box box = Box::around(surface.controlPoints());
     centre_ = box.centre();
     size_ = box.diagonal();
-    pieces_ = flatPieces(
-        surface.withControlPoints(surface.controlPoints().rowwise() - centre_.transpose()));
+    const NurbsSurface centred =
+        surface.withControlPoints(surface.controlPoints().rowwise() - centre_.transpose());
     std::vector<Box> boxes;
-    for (const NurbsSurface& piece : pieces_)
+    for (const NurbsSurface& piece : flatPieces(centred)) {
+        pieces_.emplace_back(piece);
         boxes.push_back(Box::around(piece.controlPoints()));
+    }
     tree_ = std::make_unique<BoxTree>(boxes);
 }
 
 SurfaceProjection SurfaceProjector::closest(const Point& point) const {
     const Point centred = point - centre_;
     ClosestCandidate candidate(size_);
-    SurfaceProjection best{pieces_.front().u().first(), pieces_.front().v().first(), 0, false,
-                           false};
+    SurfaceProjection best{pieces_.front().lower()[0], pieces_.front().lower()[1], 0, false, false};
     tree_->visitNearest(centred, [&](int piece) {
         const ClosestParameter<2> found = closestIn(pieces_[piece], centred, size_);
         if (candidate.offer(found.offset)) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "geometry/BezierPatch.hpp"
 #include "geometry/BoxTree.hpp"
 #include "geometry/NurbsSurface.hpp"
 #include <memory>
@@ -26,7 +27,7 @@ class SurfaceProjector {
     SurfaceProjection closest(const Point& point) const;
 
   private:
-    std::vector<NurbsSurface> pieces_;
+    std::vector<BezierPatch> pieces_;
     Point centre_;
     double size_;
     std::unique_ptr<BoxTree> tree_;

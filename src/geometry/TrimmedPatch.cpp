@@ -61,6 +61,13 @@ std::vector<TrimmingLoop> checkedLoops(std::vector<TrimmingLoop> loops, const Pa
     return loops;
 }
 
+bool trims(const std::vector<TrimmingLoop>& loops, const ParameterBox& box) {
+    double area = 0;
+    for (const TrimmingLoop& loop : loops)
+        area += loop.signedArea();
+    return area < (1 - TrimmedPatch::sliver) * box.area();
+}
+
 double insideArea(const std::vector<Tile>& tiles) {
     double area = 0;
     for (const Tile& tile : tiles)
@@ -71,17 +78,17 @@ double insideArea(const std::vector<Tile>& tiles) {
 } // namespace
 
 TrimmedPatch::TrimmedPatch(NurbsSurface surface, std::string name)
-    : TrimmedPatch(surface, surface, {TrimmingLoop::around(parameterBox(surface))}, false,
+    : TrimmedPatch(surface, surface, {TrimmingLoop::around(parameterBox(surface))},
                    std::move(name)) {}
 
 TrimmedPatch::TrimmedPatch(NurbsSurface surface, std::vector<TrimmingLoop> loops, std::string name)
     : TrimmedPatch(surface, surface, checkedLoops(std::move(loops), parameterBox(surface), name),
-                   true, name) {}
+                   name) {}
 
 TrimmedPatch::TrimmedPatch(NurbsSurface surface, NurbsSurface basis,
-                           std::vector<TrimmingLoop> loops, bool isTrimmed, std::string name)
+                           std::vector<TrimmingLoop> loops, std::string name)
     : surface_(std::move(surface)), basis_(std::move(basis)), loops_(std::move(loops)),
-      isTrimmed_(isTrimmed), name_(std::move(name)),
+      isTrimmed_(trims(loops_, parameterBox(surface_))), name_(std::move(name)),
       grid_(basis_.u().breakpoints(), basis_.v().breakpoints()) {
     tiles_.resize(nElements());
     polygons_.resize(nElements());
@@ -116,7 +123,7 @@ void TrimmedPatch::findTiles() {
 TrimmedPatch TrimmedPatch::refined(int degreeU, int degreeV, int nDivisionsU,
                                    int nDivisionsV) const {
     return TrimmedPatch(surface_, refine(basis_, degreeU, degreeV, nDivisionsU, nDivisionsV),
-                        loops_, isTrimmed_, name_);
+                        loops_, name_);
 }
 
 std::vector<int> TrimmedPatch::elements(ElementState state) const {

@@ -40,6 +40,7 @@ class TrimmedPatch {
     const NurbsSurface& surface() const { return surface_; }
     /// The same surface in the refined basis.
     const NurbsSurface& basis() const { return basis_; }
+    /// Whether the loops leave out any of the parameter rectangle.
     bool isTrimmed() const { return isTrimmed_; }
     const std::vector<TrimmingLoop>& loops() const { return loops_; }
 
@@ -72,7 +73,7 @@ class TrimmedPatch {
 
   private:
     TrimmedPatch(NurbsSurface surface, NurbsSurface basis, std::vector<TrimmingLoop> loops,
-                 bool isTrimmed, std::string name);
+                 std::string name);
     void findTiles();
 
     NurbsSurface surface_, basis_;

@@ -70,7 +70,16 @@ Region intersection(const Region& a, const Region& b) {
 Region intersection(const Region& region, const ParameterBox& box) {
     const Polygon ring = {
         box.lower, {box.upper[0], box.lower[1]}, box.upper, {box.lower[0], box.upper[1]}};
-    return intersection(region, Region{ring});
+    Region common = intersection(region, Region{ring});
+    // Off the lattice, back onto the sides, so that neighbours share corners.
+    const Parameters slack = 1e-13 * (box.lower.cwiseAbs().cwiseMax(box.upper.cwiseAbs()));
+    for (Polygon& polygon : common)
+        for (Parameters& point : polygon)
+            for (int axis = 0; axis < 2; ++axis)
+                for (const double side : {box.lower[axis], box.upper[axis]})
+                    if (std::abs(point[axis] - side) <= slack[axis])
+                        point[axis] = side;
+    return common;
 }
 
 double signedArea(const Region& region) {

@@ -124,4 +124,25 @@ NurbsSurface cylinderPatch(const Point& base, double radius, double height, doub
     return NurbsSurface(unit.knots, linear(), points, weights);
 }
 
+NurbsSurface sphere(const Point& centre, double radius) {
+    checkPositive(radius, "radius of the sphere");
+    const UnitArc around = unitArc(0, 2 * pi), meridian = unitArc(-pi / 2, pi / 2);
+    const Eigen::Index nU = around.points.rows(), nV = meridian.points.rows();
+    Points points = centre.transpose().replicate(nU * nV, 1);
+    Eigen::VectorXd weights(nU * nV);
+    for (Eigen::Index j = 0; j < nV; ++j) {
+        // Poles lie on the axis to the last bit.
+        const bool isPole = j == 0 || j == nV - 1;
+        const double distance = isPole ? 0 : radius * meridian.points(j, 0);
+        for (Eigen::Index i = 0; i < nU; ++i) {
+            const Eigen::Index k = i + nU * j;
+            points(k, 0) += distance * around.points(i, 0);
+            points(k, 1) += distance * around.points(i, 1);
+            points(k, 2) += radius * meridian.points(j, 1);
+            weights[k] = around.weights[i] * meridian.weights[j];
+        }
+    }
+    return NurbsSurface(around.knots, meridian.knots, points, weights);
+}
+
 } // namespace tokay::geometry

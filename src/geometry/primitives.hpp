@@ -32,4 +32,8 @@ NurbsSurface ringSector(const Point& centre, double innerRadius, double outerRad
 NurbsSurface cylinderPatch(const Point& base, double radius, double height, double startAngle,
                            double endAngle);
 
+/// Full sphere: xi runs around the z axis from the x axis on (the seam), eta
+/// from the south pole to the north pole. The normal points outwards.
+NurbsSurface sphere(const Point& centre, double radius);
+
 } // namespace tokay::geometry

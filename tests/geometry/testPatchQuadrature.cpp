@@ -212,6 +212,22 @@ TEST(PatchQuadrature, cylinderAndSphereHaveTheirAreas) {
     EXPECT_NEAR(area(PatchQuadrature(fine, options)), 2 * pi * radius * height, 1e-12);
 }
 
+TEST(PatchQuadrature, aSphereHasItsAreaWholeAndTrimmed) {
+    const double radius = 1.3;
+    const TrimmedPatch whole = TrimmedPatch(sphere(Point(4, 5, 6), radius)).refined(2, 2, 4, 4);
+    QuadratureOptions options;
+    options.degree = 16;
+    EXPECT_NEAR(area(PatchQuadrature(whole, options)), 4 * pi * radius * radius, 1e-12);
+    // Between two circles of latitude, as trim lines inside elements: h = 2 pi r z.
+    const double from = 0.27, to = 0.71;
+    const TrimmedPatch zone =
+        TrimmedPatch(sphere(Point::Zero(), radius),
+                     {polygonLoop(LoopKind::outer, {{0, from}, {1, from}, {1, to}, {0, to}})})
+            .refined(2, 2, 4, 4);
+    const double height = zone.surface().point(0, to)[2] - zone.surface().point(0, from)[2];
+    EXPECT_NEAR(area(PatchQuadrature(zone, options)), 2 * pi * radius * height, 1e-12);
+}
+
 TEST(PatchQuadrature, refusesImpossibleOptions) {
     const TrimmedPatch patch = discWithHole(1);
     const auto with = [&](auto change) {

@@ -31,7 +31,7 @@ TEST(TrimmedPatch, withoutLoopsEveryElementIsFull) {
 
 TEST(TrimmedPatch, aLoopOnTheRimLeavesEveryElementFull) {
     const TrimmedPatch patch = cutAt(1, 7);
-    EXPECT_TRUE(patch.isTrimmed());
+    EXPECT_FALSE(patch.isTrimmed());
     EXPECT_EQ(count(patch, ElementState::full), 49);
 }
 

@@ -1,0 +1,27 @@
+#include "sampleModels.hpp"
+
+#include "geometry/primitives.hpp"
+#include "sampleLoops.hpp"
+#include <cmath>
+
+namespace tokay::geometry {
+
+BrepModel twoSquares(double gap) {
+    const TrimmedPatch left(
+        rectangle(Point::Zero(), 1, 1),
+        {TrimmingLoop::around({{0, 0}, {1, 1}}), circleLoop(LoopKind::inner, {0.5, 0.5}, 0.25)},
+        "left");
+    const TrimmedPatch right(rectangle(Point(1, 0, gap), 1, 1), "right");
+    const std::vector<BrepFace> faces = {{left}, {right, true}};
+    return BrepModel(faces, coincidentEdges(faces, 1.1 * gap + 1e-9), 1e-6);
+}
+
+BrepModel halfCylinders() {
+    const double pi = std::acos(-1.0);
+    const std::vector<BrepFace> faces = {
+        {TrimmedPatch(cylinderPatch(Point::Zero(), 1, 2, 0, pi), "front")},
+        {TrimmedPatch(cylinderPatch(Point::Zero(), 1, 2, pi, 2 * pi), "back")}};
+    return BrepModel(faces, coincidentEdges(faces, 1e-9));
+}
+
+} // namespace tokay::geometry

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "geometry/BrepModel.hpp"
+
+namespace tokay::geometry {
+
+/// Two unit squares side by side, the second lifted by a gap, with a hole in the
+/// first; edges found by search.
+BrepModel twoSquares(double gap = 0);
+
+/// Two half cylinders of radius 1 and height 2 around the z axis.
+BrepModel halfCylinders();
+
+} // namespace tokay::geometry
