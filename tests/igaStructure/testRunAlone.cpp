@@ -142,6 +142,16 @@ TEST(CheckCase, says_what_would_be_modelled_and_needed) {
     EXPECT_THAT(text, Not(HasSubstr("warning")));
 }
 
+TEST(CheckCase, prints_all_options_of_the_chosen_acceleration) {
+    const std::string text = checkCase(readText(exampleText(
+        "output:",
+        "coupling:\n  interface: [left, right]\n  acceleration: {largestStep: 7}\noutput:")));
+    EXPECT_THAT(text, HasSubstr("coupling: interface left right, nearest element, gap limit 0.01"));
+    EXPECT_THAT(text, HasSubstr("acceleration iqnIls, initialRelaxation 0.1, reusedTimeSteps 15"));
+    EXPECT_THAT(text, HasSubstr("largestStep 7"));
+    EXPECT_THAT(text, HasSubstr("filter qr2"));
+}
+
 TEST(CheckCase, warns_of_free_rigid_motions_and_of_steps_that_a_fluid_overrides) {
     EXPECT_THAT(checkCase(readText(exampleText("fix: [x, y]", "fix: [y]"))),
                 HasSubstr("warning: supports do not prevent: translation along x"));

@@ -298,6 +298,31 @@ TEST(TimeIntegrator, failed_Newton_iteration_says_where_it_stands) {
     EXPECT_NE(message, "no error");
 }
 
+TEST(TimeIntegrator, column_that_is_pressed_beyond_its_buckling_load_is_refused) {
+    Cantilever cantilever;
+    cantilever.strains = Strains::nonlinear;
+    PlaneSolid solid = cantilever.build();
+    TimeIntegrator integrator(solid, TimeScheme::quasiStatic(), {}, 0);
+    const double EI = 4e6 * std::pow(0.1, 3) / 12;
+    const double criticalForce = M_PI * M_PI * EI / 4; // Euler, clamped and free, length 1
+    const geometry::BoundaryCurve top = solid.surface().boundaryCurve(geometry::Edge::top);
+    VectorXd force = VectorXd::Zero(solid.nUnknowns());
+    // Loads of the quadratic basis that are uniform over the edge of one element.
+    for (int k : top.controlPoints) {
+        force[2 * k + 1] = -criticalForce / 3;
+    }
+    integrator.beginTimeStep(1, 1);
+    EXPECT_NO_THROW(integrator.solve(0.9 * force));
+    try {
+        integrator.solve(1.1 * force);
+        FAIL();
+    } catch (const SolverError& error) {
+        const std::string message = error.what();
+        EXPECT_NE(message.find("not positive definite"), std::string::npos) << message;
+        EXPECT_NE(message.find("buckles"), std::string::npos) << message;
+    }
+}
+
 TEST(TimeIntegrator, force_that_is_not_finite_is_refused) {
     PlaneSolid solid = Cantilever{}.build();
     TimeIntegrator integrator(solid, TimeScheme::generalisedAlpha(0.8), {}, 0);

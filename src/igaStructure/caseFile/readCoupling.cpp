@@ -4,11 +4,16 @@
 #include "igaStructure/caseFile/CaseSection.hpp"
 #include "igaStructure/caseFile/requireUsed.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <map>
+#include <variant>
 
 namespace tokay::structure {
+
+using coupling::CouplingOptions;
 
 namespace {
 
@@ -35,38 +40,78 @@ const std::map<std::string, coupling::Extrapolation> extrapolations = {
     {"linear", coupling::Extrapolation::linear},
     {"quadratic", coupling::Extrapolation::quadratic}};
 
-void readIfGiven(const CaseSection& section, const char* name, double& value) {
-    if (section.has(name)) {
-        value = section.number(name);
+const std::map<std::string, coupling::QrFilter> filters = {{"qr1", coupling::QrFilter::qr1},
+                                                           {"qr2", coupling::QrFilter::qr2}};
+
+/// An option of an acceleration that is a number.
+struct NumberOption {
+    std::string name;
+    std::variant<double CouplingOptions::*, int CouplingOptions::*> member;
+};
+
+const std::vector<NumberOption> numberOptions = {
+    {"relaxation", &CouplingOptions::relaxation},
+    {"initialRelaxation", &CouplingOptions::initialRelaxation},
+    {"smallestRelaxation", &CouplingOptions::smallestRelaxation},
+    {"largestRelaxation", &CouplingOptions::largestRelaxation},
+    {"reusedTimeSteps", &CouplingOptions::reusedTimeSteps},
+    {"largestColumns", &CouplingOptions::largestColumns},
+    {"largestRank", &CouplingOptions::largestRank},
+    {"rankLimit", &CouplingOptions::rankLimit},
+    {"filterLimit", &CouplingOptions::filterLimit},
+    {"signalToNoise", &CouplingOptions::signalToNoise},
+    {"largestStep", &CouplingOptions::largestStep},
+    {"keepFraction", &CouplingOptions::keepFraction}};
+
+void read(const CaseSection& section, const NumberOption& option, CouplingOptions& options) {
+    if (const auto* real = std::get_if<double CouplingOptions::*>(&option.member)) {
+        options.*(*real) = section.number(option.name);
+    } else {
+        options.*std::get<int CouplingOptions::*>(option.member) = section.integer(option.name);
     }
 }
 
-void readIfGiven(const CaseSection& section, const char* name, int& value) {
-    if (section.has(name)) {
-        value = section.integer(name);
-    }
+double value(const NumberOption& option, const CouplingOptions& options) {
+    return std::visit([&](auto member) { return static_cast<double>(options.*member); },
+                      option.member);
 }
 
-void readAcceleration(const CaseSection& section, coupling::CouplingOptions& options) {
+void readAcceleration(const CaseSection& section, CouplingOptions& options) {
     const std::string type = section.text("type");
     requireUsed(section, optionsOfAcceleration.at(type), "acceleration type " + type);
     options.acceleration = accelerations.at(type);
-    readIfGiven(section, "relaxation", options.relaxation);
-    readIfGiven(section, "initialRelaxation", options.initialRelaxation);
-    readIfGiven(section, "smallestRelaxation", options.smallestRelaxation);
-    readIfGiven(section, "largestRelaxation", options.largestRelaxation);
-    readIfGiven(section, "reusedTimeSteps", options.reusedTimeSteps);
-    readIfGiven(section, "largestColumns", options.largestColumns);
-    readIfGiven(section, "largestRank", options.largestRank);
-    readIfGiven(section, "rankLimit", options.rankLimit);
-    readIfGiven(section, "filterLimit", options.filterLimit);
-    readIfGiven(section, "signalToNoise", options.signalToNoise);
-    readIfGiven(section, "largestStep", options.largestStep);
-    readIfGiven(section, "keepFraction", options.keepFraction);
-    if (section.has("filter")) {
-        options.filter =
-            section.text("filter") == "qr1" ? coupling::QrFilter::qr1 : coupling::QrFilter::qr2;
+    for (const NumberOption& option : numberOptions) {
+        if (section.has(option.name)) {
+            read(section, option, options);
+        }
     }
+    if (section.has("filter")) {
+        options.filter = filters.at(section.text("filter"));
+    }
+}
+
+/// The name that a table gives to a value.
+template <class Value>
+std::string nameOf(Value value, const std::map<std::string, Value>& names) {
+    const auto found = std::find_if(names.begin(), names.end(),
+                                    [&](const auto& named) { return named.second == value; });
+    assert(found != names.end());
+    return found->first;
+}
+
+std::string describeAcceleration(const CouplingOptions& options) {
+    const std::string type = nameOf(options.acceleration, accelerations);
+    const std::vector<std::string>& names = optionsOfAcceleration.at(type);
+    const auto isUsed = [&](const std::string& name) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    std::string text = type;
+    for (const NumberOption& option : numberOptions) {
+        if (isUsed(option.name)) {
+            text += fmt::format(", {} {:g}", option.name, value(option, options));
+        }
+    }
+    return isUsed("filter") ? text + ", filter " + nameOf(options.filter, filters) : text;
 }
 
 } // namespace
@@ -91,12 +136,19 @@ Coupling readCoupling(const CaseSection& section) {
     return result;
 }
 
-std::string nameOf(coupling::Acceleration acceleration) {
-    const auto found =
-        std::find_if(accelerations.begin(), accelerations.end(),
-                     [&](const auto& named) { return named.second == acceleration; });
-    assert(found != accelerations.end());
-    return found->first;
+std::string describeCoupling(const Coupling& coupling) {
+    std::vector<std::string> edges;
+    for (geometry::Edge edge : coupling.interface) {
+        edges.push_back(geometry::nameOf(edge));
+    }
+    const CouplingOptions& options = coupling.options;
+    return fmt::format("coupling: interface {}, nearest element, gap limit {:g}\n"
+                       "  predictor {}\n"
+                       "  acceleration {}\n"
+                       "  absolute displacement {:g} m, relative force {:g}, absolute force {:g}\n",
+                       fmt::join(edges, " "), coupling.gapLimit,
+                       nameOf(options.extrapolation, extrapolations), describeAcceleration(options),
+                       options.absoluteDisplacement, options.relativeForce, options.absoluteForce);
 }
 
 } // namespace tokay::structure

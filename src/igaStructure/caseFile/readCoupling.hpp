@@ -10,7 +10,7 @@ class CaseSection;
 /// @throws InputError  also for an option that the chosen acceleration does not have
 Coupling readCoupling(const CaseSection& section);
 
-/// The name of an acceleration in the case file.
-std::string nameOf(coupling::Acceleration acceleration);
+/// All options in effect, for a person: several lines.
+std::string describeCoupling(const Coupling& coupling);
 
 } // namespace tokay::structure

@@ -3,6 +3,7 @@
 #include "common/errors.hpp"
 #include "coupling/PeerError.hpp"
 #include "igaStructure/caseFile/readCase.hpp"
+#include "igaStructure/caseFile/readCoupling.hpp"
 #include "igaStructure/run/CoupledStructure.hpp"
 #include "igaStructure/run/FluidLink.hpp"
 #include "igaStructure/run/PrescribedStructure.hpp"
@@ -92,7 +93,8 @@ void Session::start() {
     if (!options_.recordFile.empty()) {
         recorder_.emplace(options_.recordFile);
     }
-    std::string text = describeInterface(fluid, *boundary_) + boundary_->report();
+    std::string text = describeCoupling(*case_.coupling) + describeInterface(fluid, *boundary_) +
+                       boundary_->report();
     if (case_.timeSteps) {
         text += "note: time steps and end come from the fluid; the case's time.step and time.end "
                 "are not used\n";

@@ -11,14 +11,6 @@ namespace tokay::structure {
 
 namespace {
 
-std::vector<std::string> edgeNames(const std::vector<geometry::Edge>& edges) {
-    std::vector<std::string> names;
-    for (geometry::Edge edge : edges) {
-        names.push_back(geometry::nameOf(edge));
-    }
-    return names;
-}
-
 std::string describeUse(const Case& structureCase) {
     std::string text;
     if (structureCase.timeSteps) {
@@ -26,10 +18,7 @@ std::string describeUse(const Case& structureCase) {
                             structureCase.timeSteps->step);
     }
     if (structureCase.coupling) {
-        const Coupling& coupling = *structureCase.coupling;
-        text += fmt::format("  coupled: interface {}, nearest element (gap limit {:g}), {}\n",
-                            fmt::join(edgeNames(coupling.interface), " "), coupling.gapLimit,
-                            nameOf(coupling.options.acceleration));
+        text += describeCoupling(*structureCase.coupling);
     }
     return text;
 }
@@ -60,11 +49,11 @@ std::string checkCase(const Case& structureCase) {
     PlaneSolid solid = makeModel(structureCase);
     const Watch watch(solid, structureCase.output.watchPoints);
     const TimeIntegrator integrator(solid, structureCase.timeScheme, structureCase.newton, 0);
-    return describeModel(structureCase, solid) + describeUse(structureCase) +
+    return describeModel(structureCase, solid) +
            fmt::format("  memory: {:.3g} MB for matrices, {:.3g} million entries in the factor\n",
                        integrator.bytes() / 1e6, integrator.solver().nFactorEntries() / 1e6) +
            fmt::format("  linear algebra: CHOLMOD on {}\n", blasLibrary()) +
-           warnings(structureCase, solid);
+           describeUse(structureCase) + warnings(structureCase, solid);
 }
 
 } // namespace tokay::structure
