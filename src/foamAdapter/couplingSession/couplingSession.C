@@ -44,22 +44,6 @@ double wallClock()
     ).count();
 }
 
-//- Where the mesh keeps the solvers' residuals: in a member of its own in
-//  later versions of OpenFOAM ...
-template<class Mesh>
-auto performanceStore(const Mesh& mesh, int)
- -> decltype(mesh.data().solverPerformanceDict(), mesh.data())
-{
-    return mesh.data();
-}
-
-//- ... and in a base class in earlier ones
-template<class Mesh>
-const Mesh& performanceStore(const Mesh& mesh, long)
-{
-    return mesh;
-}
-
 } // End anonymous namespace
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -104,52 +88,6 @@ Foam::labelList Foam::couplingSession::selectPatches
             << exit(FatalIOError);
     }
     return patches;
-}
-
-
-Foam::scalar Foam::couplingSession::readTolerance() const
-{
-    if (explicit_)
-    {
-        return 1;
-    }
-
-    const dictionary controls(pimple_.dict());
-    if (!controls.lookupOrDefault("moveMeshOuterCorrectors", false))
-    {
-        FatalIOErrorInFunction(controls)
-            << "'moveMeshOuterCorrectors' is off: the structure could not "
-            << "answer within a time step" << nl
-            << "    add 'moveMeshOuterCorrectors yes;'" << exit(FatalIOError);
-    }
-
-    const word& key = residualField_->name();
-    const dictionary& residualControl =
-        controls.subOrEmptyDict("residualControl");
-    const dictionary* control = residualControl.findDict(key, keyType::REGEX);
-    if (!control)
-    {
-        FatalIOErrorInFunction(controls)
-            << "residualControl has no entry '" << key << "': the time step "
-            << "would end without the structure having converged" << nl
-            << "    add '" << key << " { tolerance 1e-4; relTol 0; }', or set "
-            << "'nOuterCorrectors 1' for explicit coupling"
-            << exit(FatalIOError);
-    }
-    const scalar tolerance = control->get<scalar>("tolerance");
-    if (tolerance <= 0 || tolerance >= 1)
-    {
-        FatalIOErrorInFunction(*control)
-            << "the tolerance is " << tolerance
-            << ": it must lie between 0 and 1" << exit(FatalIOError);
-    }
-    if (control->lookupOrDefault<scalar>("relTol", 0) > 0)
-    {
-        FatalIOErrorInFunction(*control)
-            << "'relTol' is not 0: the coupling residual is relative already, "
-            << "and a step could end unconverged" << exit(FatalIOError);
-    }
-    return tolerance;
 }
 
 
@@ -200,61 +138,6 @@ Foam::couplingSession::findPointDisplacement() const
         }
     }
     return displacement;
-}
-
-
-Foam::scalar Foam::couplingSession::momentumResidual() const
-{
-    List<SolverPerformance<vector>> performance;
-    const dictionary& all =
-        performanceStore(mesh_, 0).solverPerformanceDict();
-    if
-    (
-        !all.readIfPresent(force_.UName(), performance)
-     || performance.empty()
-    )
-    {
-        return 0;   // without a momentum predictor there is none
-    }
-    return cmptMax(performance.last().initialResidual());
-}
-
-
-bool Foam::couplingSession::loopConverged() const
-{
-    const dictionary controls(pimple_.dict());
-    const dictionary* control =
-        controls.subDict("residualControl").findDict
-        (
-            force_.UName(),
-            keyType::REGEX
-        );
-    return
-        current_.converged
-     && (
-            !control
-         || current_.fluidResidual < control->get<scalar>("tolerance")
-        );
-}
-
-
-void Foam::couplingSession::enterResidual(const scalar residual)
-{
-    const word& name = residualField_->name();
-    performanceStore(mesh_, 0).setSolverPerformance
-    (
-        name,
-        SolverPerformance<scalar>
-        (
-            "coupling",
-            name,
-            residual,
-            residual,
-            1,
-            false,
-            false
-        )
-    );
 }
 
 
@@ -370,7 +253,7 @@ void Foam::couplingSession::handleUnconverged()
     OStringStream os;
     os  << "time " << mesh_.time().timeName() << " s did not converge in "
         << pimple_.nCorrPIMPLE() << " correctors: coupling residual "
-        << current_.residual << " (tolerance " << tolerance_
+        << current_.residual << " (tolerance " << residual_.tolerance()
         << "), momentum residual " << current_.fluidResidual;
 
     if (onUnconverged_ == unconverged::warn)
@@ -416,26 +299,9 @@ Foam::couplingSession::couplingSession
             "onUnconverged", dict, unconverged::abort
         )
     ),
-    explicit_(pimple_.nCorrPIMPLE() == 1),
-    residualField_
-    (
-        new volScalarField
-        (
-            IOobject
-            (
-                name,
-                mesh.time().timeName(),
-                mesh,
-                IOobject::NO_READ,
-                IOobject::NO_WRITE
-            ),
-            mesh,
-            dimensionedScalar(dimless, Zero)
-        )
-    ),
-    tolerance_(readTolerance()),
     interface_(mesh, selectPatches(mesh, dict), dict),
     force_(mesh, dict),
+    residual_(name, force_.UName(), mesh, pimple_),
     pointDisplacement_(findPointDisplacement()),
     structure_(dict, mesh.time()),
     timeIndex_(-1),
@@ -445,18 +311,20 @@ Foam::couplingSession::couplingSession
 {
     tokay::coupling::Interface message;
     message.name = name;
-    message.tolerance = tolerance_;
+    message.tolerance = residual_.tolerance();
     message.startTime = mesh.time().startTime().value();
     message.endTime = mesh.time().endTime().value();
     interface_.describe(pointDisplacement_, message);
 
-    Info<< "    " << (explicit_ ? "explicit coupling, one exchange a step"
-                                : "strong coupling, tolerance ");
-    if (!explicit_)
+    if (residual_.isExplicit())
     {
-        Info<< tolerance_;
+        Info<< "    explicit coupling, one exchange a step" << endl;
     }
-    Info<< endl;
+    else
+    {
+        Info<< "    strong coupling, tolerance " << residual_.tolerance()
+            << endl;
+    }
     Info<< structure_.start(message).c_str() << endl;
 }
 
@@ -517,12 +385,14 @@ void Foam::couplingSession::endCorrector()
     }
 
     current_.correctors = corrector_;
-    current_.fluidResidual = momentumResidual();
+    current_.fluidResidual = residual_.momentum();
 
     if (pimple_.finalIter())
     {
+        const bool converged =
+            current_.converged && residual_.momentumConverged();
         const bool ranOut = corrector_ == pimple_.nCorrPIMPLE();
-        if (!explicit_ && ranOut && !loopConverged())
+        if (!residual_.isExplicit() && ranOut && !converged)
         {
             handleUnconverged();
         }
@@ -532,7 +402,7 @@ void Foam::couplingSession::endCorrector()
     else
     {
         exchange(false);
-        enterResidual(current_.residual);
+        residual_.enter(current_.residual);
     }
 }
 

@@ -1,0 +1,172 @@
+/*---------------------------------------------------------------------------*\
+    Tokay: OpenFOAM coupled to an isogeometric structure
+-------------------------------------------------------------------------------
+License
+    This file is part of Tokay, which is free software: you can redistribute
+    it and/or modify it under the terms of the GNU General Public License as
+    published by the Free Software Foundation, either version 3 of the
+    License, or (at your option) any later version. See the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "couplingResidual.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Where the mesh keeps the solvers' residuals: in a member of its own in
+//  later versions of OpenFOAM ...
+template<class Mesh>
+auto performanceStore(const Mesh& mesh, int)
+ -> decltype(mesh.data().solverPerformanceDict(), mesh.data())
+{
+    return mesh.data();
+}
+
+//- ... and in a base class in earlier ones
+template<class Mesh>
+const Mesh& performanceStore(const Mesh& mesh, long)
+{
+    return mesh;
+}
+
+} // End anonymous namespace
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::couplingResidual::readTolerance() const
+{
+    if (isExplicit())
+    {
+        return 1;
+    }
+
+    const dictionary controls(pimple_.dict());
+    if (!controls.lookupOrDefault("moveMeshOuterCorrectors", false))
+    {
+        FatalIOErrorInFunction(controls)
+            << "'moveMeshOuterCorrectors' is off: the structure could not "
+            << "answer within a time step" << nl
+            << "    add 'moveMeshOuterCorrectors yes;'" << exit(FatalIOError);
+    }
+
+    const word& key = field_.name();
+    const dictionary& residualControl =
+        controls.subOrEmptyDict("residualControl");
+    const dictionary* control = residualControl.findDict(key, keyType::REGEX);
+    if (!control)
+    {
+        FatalIOErrorInFunction(controls)
+            << "residualControl has no entry '" << key << "': the time step "
+            << "would end without the structure having converged" << nl
+            << "    add '" << key << " { tolerance 1e-4; relTol 0; }', or set "
+            << "'nOuterCorrectors 1' for explicit coupling"
+            << exit(FatalIOError);
+    }
+    const scalar tolerance = control->get<scalar>("tolerance");
+    if (tolerance <= 0 || tolerance >= 1)
+    {
+        FatalIOErrorInFunction(*control)
+            << "the tolerance is " << tolerance
+            << ": it must lie between 0 and 1" << exit(FatalIOError);
+    }
+    if (control->lookupOrDefault<scalar>("relTol", 0) > 0)
+    {
+        FatalIOErrorInFunction(*control)
+            << "'relTol' is not 0: the coupling residual is relative already, "
+            << "and a step could end unconverged" << exit(FatalIOError);
+    }
+    return tolerance;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::couplingResidual::couplingResidual
+(
+    const word& name,
+    const word& UName,
+    const fvMesh& mesh,
+    const pimpleControl& pimple
+)
+:
+    pimple_(pimple),
+    UName_(UName),
+    field_
+    (
+        IOobject
+        (
+            name,
+            mesh.time().timeName(),
+            mesh,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE
+        ),
+        mesh,
+        dimensionedScalar(dimless, Zero)
+    ),
+    tolerance_(readTolerance())
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::couplingResidual::isExplicit() const
+{
+    return pimple_.nCorrPIMPLE() == 1;
+}
+
+
+void Foam::couplingResidual::enter(const scalar residual)
+{
+    const word& name = field_.name();
+    performanceStore(field_.mesh(), 0).setSolverPerformance
+    (
+        name,
+        SolverPerformance<scalar>
+        (
+            "coupling",
+            name,
+            residual,
+            residual,
+            1,
+            false,
+            false
+        )
+    );
+}
+
+
+Foam::scalar Foam::couplingResidual::momentum() const
+{
+    List<SolverPerformance<vector>> performance;
+    const dictionary& all =
+        performanceStore(field_.mesh(), 0).solverPerformanceDict();
+    if
+    (
+        !all.readIfPresent(UName_, performance)
+     || performance.empty()
+    )
+    {
+        return 0;   // without a momentum predictor there is none
+    }
+    return cmptMax(performance.last().initialResidual());
+}
+
+
+bool Foam::couplingResidual::momentumConverged() const
+{
+    const dictionary controls(pimple_.dict());
+    const dictionary* control =
+        controls.subDict("residualControl").findDict
+        (
+            UName_,
+            keyType::REGEX
+        );
+    return !control || momentum() < control->get<scalar>("tolerance");
+}
+
+
+// ************************************************************************* //
