@@ -1,5 +1,4 @@
 // A large fluid interface onto a trimmed patch: what each operator costs.
-#include "common/errors.hpp"
 #include "geometry/curveParts.hpp"
 #include "geometry/primitives.hpp"
 #include "geometry/refinement.hpp"

@@ -24,10 +24,6 @@ int quadratureDegree(const SurfaceInterface& splines, const MortarOptions& optio
     return degree;
 }
 
-Functions splineFunctions(const SurfaceInterface& splines, const IntersectionPoint& at) {
-    return splines.functions(at.piece, at.xi, at.eta);
-}
-
 Functions meshFunctions(const SurfaceMesh& mesh, const IntersectionPoint& at) {
     return mesh.functions(at.triangle, at.inTriangle);
 }
@@ -56,7 +52,7 @@ void integrateIntersection(const SurfaceMesh& from, const SurfaceInterface& to,
     visitor.point = [&](const IntersectionPoint& at) {
         covered += at.weight;
         if (gaps.count(at.position, at.gap, true, false, at.weight))
-            assembler.add(at.weight, splineFunctions(to, at), meshFunctions(from, at), at.element);
+            assembler.add(at.weight, at.onPatch, meshFunctions(from, at), at.element);
     };
     visitor.endTriangle = [&](int triangle, double) {
         if (triangle + 1 == from.nTriangles() || from.faceOf(triangle + 1) != from.faceOf(triangle))
@@ -75,7 +71,7 @@ void integrateIntersection(const SurfaceInterface& from, const SurfaceMesh& to,
     visitor.point = [&](const IntersectionPoint& at) {
         const Functions onMesh = meshFunctions(to, at);
         if (gaps.count(at.position, at.gap, true, false, at.weight))
-            assembler.add(at.weight, onMesh, splineFunctions(from, at));
+            assembler.add(at.weight, onMesh, at.onPatch);
         else
             assembler.addUnmatched(onMesh);
     };

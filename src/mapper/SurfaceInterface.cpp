@@ -43,11 +43,7 @@ SurfaceInterface::SurfaceInterface(std::vector<SurfacePiece> pieces, int nContro
         checkNumbers(piece, nControlPoints);
         const NurbsSurface& surface = piece.patch.basis();
         projectors_.emplace_back(surface);
-        auto& curves = loops_.emplace_back();
-        if (piece.patch.isTrimmed())
-            for (const geometry::TrimmingLoop& loop : piece.patch.loops())
-                for (const geometry::NurbsCurve& curve : loop.curves())
-                    curves.emplace_back(curve, surface);
+        addRim(piece.patch);
         boxes_.push_back(Box::around(surface.controlPoints()));
         all.include(boxes_.back());
         isClosed_.push_back({coincide(surface, geometry::Edge::left, geometry::Edge::right),
@@ -60,13 +56,27 @@ SurfaceInterface::SurfaceInterface(std::vector<SurfacePiece> pieces, int nContro
     tree_ = std::make_unique<geometry::BoxTree>(boxes_);
 }
 
+void SurfaceInterface::addRim(const geometry::TrimmedPatch& patch) {
+    Rim& rim = rims_.emplace_back();
+    if (!patch.isTrimmed())
+        return;
+    std::vector<Box> boxes;
+    for (const geometry::TrimmingLoop& loop : patch.loops())
+        for (const geometry::NurbsCurve& curve : loop.curves()) {
+            rim.curves.emplace_back(curve, patch.basis());
+            boxes.push_back(rim.curves.back().box());
+        }
+    rim.tree = std::make_unique<geometry::BoxTree>(boxes);
+}
+
 geometry::SurfaceProjection SurfaceInterface::closestOn(int piece, const Point& point) const {
     geometry::SurfaceProjection onSurface = projectors_[piece].closest(point);
     const geometry::TrimmedPatch& patch = pieces_[piece].patch;
     if (!patch.isTrimmed() || patch.contains({onSurface.xi, onSurface.eta}))
         return onSurface;
     geometry::ClosestCandidate candidate(size_);
-    for (const geometry::CurveOnSurface& curve : loops_[piece]) {
+    rims_[piece].tree->visitNearest(point, [&](int i) {
+        const geometry::CurveOnSurface& curve = rims_[piece].curves[i];
         const geometry::CurveProjection onCurve = curve.closest(point);
         const Point place = curve.derivatives(onCurve.xi, 0).row(0);
         if (candidate.offer(place - point)) {
@@ -74,7 +84,8 @@ geometry::SurfaceProjection SurfaceInterface::closestOn(int piece, const Point& 
             onSurface = {parameters[0], parameters[1], onCurve.distance, onCurve.converged,
                          onCurve.ambiguous};
         }
-    }
+        return candidate.squaredLimit();
+    });
     onSurface.ambiguous = onSurface.ambiguous || candidate.isAmbiguous();
     return onSurface;
 }

@@ -53,11 +53,17 @@ class SurfaceInterface : public Discretisation {
     int elementNumber(int piece, int element) const { return firstElement_[piece] + element; }
 
   private:
+    void addRim(const geometry::TrimmedPatch& patch);
     geometry::SurfaceProjection closestOn(int piece, const Point& point) const;
 
     std::vector<SurfacePiece> pieces_;
     std::vector<geometry::SurfaceProjector> projectors_;
-    std::vector<std::vector<geometry::CurveOnSurface>> loops_;
+    /// Curves of the loops of a trimmed patch, and a tree over their boxes.
+    struct Rim {
+        std::vector<geometry::CurveOnSurface> curves;
+        std::unique_ptr<geometry::BoxTree> tree;
+    };
+    std::vector<Rim> rims_;
     std::vector<geometry::Box> boxes_;
     std::vector<std::array<bool, 2>> isClosed_;
     std::vector<int> firstElement_;

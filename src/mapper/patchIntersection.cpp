@@ -168,17 +168,21 @@ class Intersection {
     }
 
     void visit(int triangle, int piece, int element, const geometry::ParameterPoint& at) {
-        const Points d = splines_.piece(piece).patch.basis().derivatives(at.xi, at.eta, 1);
+        const SurfacePiece& onPiece = splines_.piece(piece);
+        geometry::SurfaceBasis basis = onPiece.patch.basis().basis(at.xi, at.eta, 1);
+        Eigen::Matrix3d d = Eigen::Matrix3d::Zero();
+        for (std::size_t i = 0; i < basis.controlPoints.size(); ++i) {
+            d += basis.N.col(i) * onPiece.patch.basis().controlPoints().row(basis.controlPoints[i]);
+            basis.controlPoints[i] = onPiece.controlPoints[basis.controlPoints[i]];
+        }
         IntersectionPoint point;
         point.position = d.row(0);
         point.weight = at.weight * Point(d.row(1)).cross(Point(d.row(2))).norm();
         point.triangle = triangle;
         point.inTriangle = mesh_.triangle(triangle).barycentric(point.position);
         point.gap = (mesh_.triangle(triangle).at(point.inTriangle) - point.position).norm();
-        point.piece = piece;
         point.element = splines_.elementNumber(piece, element);
-        point.xi = at.xi;
-        point.eta = at.eta;
+        point.onPatch = {std::move(basis.controlPoints), basis.N.row(0)};
         visitor_.point(point);
     }
 

@@ -13,9 +13,8 @@ struct IntersectionPoint {
     double gap;     ///< to the plane of the triangle [m]
     int triangle;
     geometry::Barycentric inTriangle;
-    int piece;
-    int element; ///< as SurfaceInterface numbers them
-    double xi, eta;
+    int element;       ///< as SurfaceInterface numbers them
+    Functions onPatch; ///< of the patch, by the structure's numbers
 };
 
 /// What the intersection tells, in this order for each triangle of the mesh.
