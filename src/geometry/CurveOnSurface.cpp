@@ -2,6 +2,7 @@
 
 #include "common/errors.hpp"
 #include "geometry/ClosestCandidate.hpp"
+#include "geometry/PlaneBezier.hpp"
 #include "geometry/closestParameter.hpp"
 #include "geometry/parameterCrossings.hpp"
 #include <algorithm>
@@ -12,17 +13,31 @@ namespace tokay::geometry {
 
 namespace {
 
+/// Lower and upper end of a coordinate of the curve (not of its control points).
+Eigen::Vector2d extent(const NurbsCurve& curve, int axis) {
+    const double start = curve.point(curve.knotVector().first())[axis];
+    Eigen::Vector2d range(start, start);
+    for (const PlaneBezier& piece : PlaneBezier::piecesOf(curve)) {
+        std::vector<double> values = {piece.end()[axis]};
+        for (const double t : piece.extrema(axis))
+            values.push_back(piece.point(t)[axis]);
+        for (const double value : values)
+            range = {std::min(range[0], value), std::max(range[1], value)};
+    }
+    return range;
+}
+
 void checkInside(const NurbsCurve& curve, const NurbsSurface& surface) {
-    const Box box = Box::around(curve.controlPoints());
     const KnotVector* ranges[2] = {&surface.u(), &surface.v()};
     for (int axis = 0; axis < 2; ++axis) {
         const double first = ranges[axis]->first(), last = ranges[axis]->last();
         const double slack = 1e-9 * (last - first);
-        if (box.lower[axis] < first - slack || box.upper[axis] > last + slack)
+        const Eigen::Vector2d reached = extent(curve, axis);
+        if (reached[0] < first - slack || reached[1] > last + slack)
             throw InputError(fmt::format("A trimming curve reaches {} = {} to {}, outside the "
                                          "patch's range {} to {}.",
-                                         axis == 0 ? "xi" : "eta", box.lower[axis], box.upper[axis],
-                                         first, last));
+                                         axis == 0 ? "xi" : "eta", reached[0], reached[1], first,
+                                         last));
     }
 }
 
@@ -46,19 +61,9 @@ std::vector<double> smoothRanges(const NurbsCurve& curve, const NurbsSurface& su
     return distinct;
 }
 
-} // namespace
-
-CurveOnSurface::CurveOnSurface(NurbsCurve parameterCurve, NurbsSurface surface)
-    : curve_(std::move(parameterCurve)), surface_(std::move(surface)) {
-    checkInside(curve_, surface_);
-    breakpoints_ = smoothRanges(curve_, surface_);
-    buildTree();
-}
-
-Points CurveOnSurface::derivatives(double t, int n) const {
-    assert(n <= 2);
-    const Points c = curve_.derivatives(t, n);
-    const Points s = surface_.derivatives(c(0, 0), c(0, 1), n);
+Points derivativesOn(const NurbsSurface& surface, const NurbsCurve& curve, double t, int n) {
+    const Points c = curve.derivatives(t, n);
+    const Points s = surface.derivatives(c(0, 0), c(0, 1), n);
     Points d(n + 1, 3);
     d.row(0) = s.row(0);
     if (n >= 1)
@@ -69,6 +74,23 @@ Points CurveOnSurface::derivatives(double t, int n) const {
                    s.row(derivativeRow(0, 2)) * c(1, 1) * c(1, 1) + s.row(1) * c(2, 0) +
                    s.row(2) * c(2, 1);
     return d;
+}
+
+} // namespace
+
+CurveOnSurface::CurveOnSurface(NurbsCurve parameterCurve, NurbsSurface surface)
+    : curve_(std::move(parameterCurve)), surface_(std::move(surface)),
+      centre_(Box::around(surface_.controlPoints()).centre()),
+      centred_(
+          surface_.withControlPoints(surface_.controlPoints().rowwise() - centre_.transpose())) {
+    checkInside(curve_, surface_);
+    breakpoints_ = smoothRanges(curve_, surface_);
+    buildTree();
+}
+
+Points CurveOnSurface::derivatives(double t, int n) const {
+    assert(n <= 2);
+    return derivativesOn(surface_, curve_, t, n);
 }
 
 void CurveOnSurface::buildTree() {
@@ -83,33 +105,36 @@ void CurveOnSurface::buildTree() {
             const Segment segment{breakpoints_[i] + j * length, breakpoints_[i] + (j + 1) * length};
             Box box = Box::empty();
             for (int k = 0; k <= nChords; ++k)
-                box.include(derivatives(segment.from + length * k / nChords, 0).row(0));
+                box.include(
+                    derivativesOn(centred_, curve_, segment.from + length * k / nChords, 0).row(0));
             const Point margin = Point::Constant(box.diagonal() / nChords);
             boxes.push_back({box.lower - margin, box.upper + margin});
             segments_.push_back(segment);
             box_.include(boxes.back());
         }
     tree_ = std::make_unique<BoxTree>(boxes);
+    size_ = box_.diagonal();
+    box_ = {box_.lower + centre_, box_.upper + centre_};
 }
 
 CurveProjection CurveOnSurface::closest(const Point& point) const {
     using Parameter = Eigen::Matrix<double, 1, 1>;
-    const double size = box_.diagonal();
+    const Point centred = point - centre_;
     const auto osculate = [&](const Parameter& t) {
-        const Points d = derivatives(t[0], 2);
+        const Points d = derivativesOn(centred_, curve_, t[0], 2);
         Osculation<1> at;
-        at.offset = d.row(0).transpose() - point;
+        at.offset = d.row(0).transpose() - centred;
         at.tangents = d.row(1).transpose();
         at.curvature(0, 0) = d.row(2).dot(at.offset);
         return at;
     };
-    ClosestCandidate candidate(size);
+    ClosestCandidate candidate(size_);
     CurveProjection best{breakpoints_.front(), 0, false, false};
-    tree_->visitNearest(point, [&](int number) {
+    tree_->visitNearest(centred, [&](int number) {
         const Segment& segment = segments_[number];
         const auto found =
             closestParameter<1>(osculate, Parameter(segment.from), Parameter(segment.to),
-                                Parameter(0.5 * (segment.from + segment.to)), size);
+                                Parameter(0.5 * (segment.from + segment.to)), size_);
         if (candidate.offer(found.offset)) {
             best.xi = found.parameter[0];
             best.converged = found.converged;

@@ -37,6 +37,10 @@ class CurveOnSurface {
 
     NurbsCurve curve_;
     NurbsSurface surface_;
+    /// The surface moved to its centre: far from the origin no digits are lost.
+    Point centre_;
+    NurbsSurface centred_;
+    double size_;
     std::vector<double> breakpoints_;
     std::vector<Segment> segments_;
     std::unique_ptr<BoxTree> tree_;

@@ -3,7 +3,9 @@
 #include "geometry/BezierPatch.hpp"
 #include "geometry/BoxTree.hpp"
 #include "geometry/NurbsSurface.hpp"
+#include <functional>
 #include <memory>
+#include <optional>
 
 namespace tokay::geometry {
 
@@ -25,6 +27,12 @@ class SurfaceProjector {
     explicit SurfaceProjector(const NurbsSurface& surface);
 
     SurfaceProjection closest(const Point& point) const;
+
+    /// The closest place that is accepted by its parameters (one inside trimming
+    /// loops); none if there is none nearer than the limit [m].
+    using Acceptance = std::function<bool(const Eigen::Vector2d&)>;
+    std::optional<SurfaceProjection> closest(const Point& point, const Acceptance& accepts,
+                                             double limit) const;
 
   private:
     std::vector<BezierPatch> pieces_;
