@@ -5,9 +5,11 @@
 #include "geometry/primitives.hpp"
 #include "geometry/refinement.hpp"
 #include "sampleLoops.hpp"
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
+#include <random>
 
 namespace tokay::geometry {
 
@@ -161,6 +163,51 @@ TEST(PatchQuadrature, trimLinesOnAndBesideKnotLinesAreExact) {
                         exact, std::abs(offset) < 1e-11 ? 4e-13 : 2e-15)
                 << offset;
         }
+}
+
+TEST(PatchQuadrature, loopsAnywhereOnAndAboutKnotLinesKeepTheirArea) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    const std::vector<double> offsets = {0,     1e-16, -1e-16, 1e-14, 1e-12, -1e-12,
+                                         1e-10, 1e-8,  -1e-8,  1e-4,  -1e-4};
+    for (int trial = 0; trial < 300; ++trial) {
+        const int nSpans = 1 + trial % 9;
+        // More than half of the coordinates lie on a knot line or about one.
+        const auto place = [&](double x) {
+            if (uniform(random) > 0.6)
+                return x;
+            const auto k = static_cast<std::size_t>(uniform(random) * offsets.size());
+            return std::clamp(std::round(x * nSpans) / nSpans + offsets[k], 0.0, 1.0);
+        };
+        Polygon corners;
+        const int nCorners = 3 + trial % 7;
+        for (int i = 0; i < nCorners; ++i) {
+            const double radius = 0.15 + 0.33 * uniform(random), angle = 2 * pi * i / nCorners;
+            corners.push_back(
+                {place(0.5 + radius * std::cos(angle)), place(0.5 + radius * std::sin(angle))});
+        }
+        std::vector<TrimmingLoop> loops;
+        try {
+            loops.push_back(polygonLoop(LoopKind::outer, corners));
+        } catch (const InputError&) {
+            continue; // moving the corners made them cross
+        }
+        const TrimmedPatch patch(square(nSpans), loops);
+        const double exact = loops[0].signedArea();
+        for (const CutRule rule : {CutRule::boundaryExact, CutRule::triangulated}) {
+            QuadratureOptions options;
+            options.rule = rule;
+            options.degree = 1;
+            const PatchQuadrature quadrature(patch, options);
+            for (int element = 0; element < patch.nElements(); ++element)
+                for (const ParameterPoint& point : quadrature.points(element))
+                    EXPECT_GT(point.weight, 0);
+            // Left-out slivers: 1e-11 of each of at most 40 elements on the loop.
+            EXPECT_NEAR(integral(quadrature, [](double, double) { return 1; }), exact,
+                        1e-11 * 40 / (nSpans * nSpans) + 1e-15)
+                << trial;
+        }
+    }
 }
 
 TEST(PatchQuadrature, weightsArePositiveAndPointsInside) {
