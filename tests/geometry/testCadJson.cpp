@@ -180,6 +180,37 @@ TEST(CadJson, periodicAndShortenedKnotVectorsAreRead) {
     EXPECT_NEAR(modelArea(readCadJson(written("unclamped", unclamped)).model), 48, 1e-13);
 }
 
+TEST(CadJson, aPeriodicSurfaceIsReadClosedAndSmooth) {
+    // As CAD programs write a tube: control points repeat, outer knots are left out.
+    const int n = 10;
+    std::string points;
+    for (int j = 0; j < 2; ++j)
+        for (int i = 0; i < n; ++i) {
+            const double angle = std::acos(-1.0) / 4 * i;
+            points += (points.empty() ? "[1, [" : ", [1, [") + std::to_string(std::cos(angle)) +
+                      ", " + std::to_string(std::sin(angle)) + ", " + std::to_string(j) + ", 1]]";
+        }
+    const std::string text =
+        "{\"breps\": [{\"brep_id\": 1, \"faces\": [{\"brep_name\": \"tube\", \"surface\": "
+        "{\"degrees\": [2, 1], \"knot_vectors\": [[-1, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9], [0, 1]], "
+        "\"control_points\": [" +
+        points + "]}}]}]}";
+    const BrepModel model = readCadJson(written("tube", text)).model;
+    const NurbsSurface& tube = model.patch(model.faceNumber("tube")).surface();
+    EXPECT_EQ(tube.u().first(), 0);
+    EXPECT_EQ(tube.u().last(), 8);
+    for (const double eta : {0.0, 0.4, 1.0})
+        EXPECT_LT((tube.derivatives(0, eta, 1) - tube.derivatives(8, eta, 1)).norm(), 1e-14);
+    // Knots lie midway between control points.
+    EXPECT_LT(
+        (tube.point(3, 0.5) -
+         Point(std::cos(1.0 * std::acos(-1.0) * 3.5 / 4), std::sin(std::acos(-1.0) * 3.5 / 4), 0) *
+             std::cos(std::acos(-1.0) / 8) -
+         Point(0, 0, 0.5))
+            .norm(),
+        1e-6); // the text has 6 decimals
+}
+
 TEST(CadJson, contradictingDirectionsAndUnusedVerticesAreNoted) {
     std::string text =
         replaced(twoPlates(), "\"relative_direction\": false", "\"relative_direction\": true");
