@@ -31,10 +31,10 @@ void requireFinite(const Eigen::VectorXd& values, const char* name) {
 ConvergenceCriteria::ConvergenceCriteria(const CouplingOptions& options, double tolerance)
     : tolerance_(tolerance), absoluteDisplacement_(options.absoluteDisplacement),
       relativeForce_(options.relativeForce), absoluteForce_(options.absoluteForce) {
-    if (!(tolerance > 0 && tolerance < 1)) {
+    if (!(tolerance > 0 && tolerance <= 1)) {
         throw InputError("The coupling tolerance is " + std::to_string(tolerance) +
-                         ": it must be above 0 and below 1. It is the fluid's residualControl "
-                         "for the structure.");
+                         ": it must be above 0, and below 1 unless the coupling is explicit. It "
+                         "is the fluid's residualControl for the structure.");
     }
 }
 

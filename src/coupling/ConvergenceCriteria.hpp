@@ -17,7 +17,7 @@ namespace tokay::coupling {
 /// a step.
 class ConvergenceCriteria {
   public:
-    /// @throws InputError unless 0 < tolerance < 1
+    /// @throws InputError unless 0 < tolerance <= 1; 1: nothing has to converge
     ConvergenceCriteria(const CouplingOptions& options, double tolerance);
 
     void beginTimeStep() { previousForces_.resize(0); }

@@ -37,7 +37,7 @@ struct Interface {
     std::vector<std::uint32_t> faceOffsets; ///< nFaces + 1, into facePoints
     std::vector<std::uint32_t> facePoints;  ///< point numbers, face by face
     std::vector<double> displacements;      ///< at the start, as points [m]
-    double tolerance = 0;                   ///< that the residual must fall below
+    double tolerance = 0;                   ///< that the residual must fall below; 1: explicit
     double startTime = 0;                   ///< [s]
     double endTime = 0;                     ///< [s]
 };

@@ -1,6 +1,7 @@
 #include "common/errors.hpp"
 #include "common/version.hpp"
 #include "coupling/Listener.hpp"
+#include "coupling/readToken.hpp"
 #include "igaStructure/caseFile/CaseEntry.hpp"
 #include "igaStructure/caseFile/readCase.hpp"
 #include "igaStructure/run/CoupledRun.hpp"
@@ -13,7 +14,6 @@
 
 #include <csignal>
 #include <cstdio>
-#include <fstream>
 #include <memory>
 #include <new>
 
@@ -36,15 +36,6 @@ struct RunOptions {
     structure::CoupledRunOptions coupled;
 };
 
-std::string readToken(const std::string& fileName) {
-    std::ifstream file(fileName);
-    std::string token;
-    if (!(file >> token)) {
-        throw InputError("cannot read a token from '" + fileName + "'");
-    }
-    return token;
-}
-
 coupling::Channel waitForFluid(const RunOptions& options) {
     coupling::Listener listener(options.address, options.coupled.token);
     listener.reportSilence(0.2, [](const std::string&) { structure::throwIfInterrupted(); });
@@ -54,7 +45,7 @@ coupling::Channel waitForFluid(const RunOptions& options) {
 
 void run(RunOptions options) {
     if (!options.tokenFile.empty()) {
-        options.coupled.token = readToken(options.tokenFile);
+        options.coupled.token = coupling::readToken(options.tokenFile);
     }
     if (options.fileDescriptor < 0 && options.address.empty()) {
         structure::runAlone(structure::readCase(options.caseFile), print);

@@ -168,7 +168,7 @@ TEST(ConvergenceCriteria, forceMustHoldStillToo) {
 }
 
 TEST(ConvergenceCriteria, toleranceOutOfItsRangeIsRefused) {
-    for (const double wrong : {0.0, -1e-4, 1.0, std::nan("")}) {
+    for (const double wrong : {0.0, -1e-4, 1.1, std::nan("")}) {
         EXPECT_THROW(ConvergenceCriteria(CouplingOptions(), wrong), InputError) << wrong;
     }
 }

@@ -15,11 +15,10 @@ License
 #include "OSspecific.H"
 #include "requireKnownEntries.H"
 #include "coupling/allFinite.hpp"
+#include "coupling/readToken.hpp"
 #include "coupling/shakeHands.hpp"
 #include "common/errors.hpp"
 #include "common/version.hpp"
-
-#include <fstream>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -30,22 +29,6 @@ using namespace tokay::coupling;
 
 //- How long a structure may take to end by itself, in seconds
 constexpr double patience = 10;
-
-//- The first line of a file
-std::string readToken(const std::string& fileName)
-{
-    std::ifstream file(fileName);
-    std::string token;
-    if (!std::getline(file, token) || token.empty())
-    {
-        throw tokay::InputError
-        (
-            "the entry 'tokenFile' names '" + fileName
-          + "', which cannot be read or is empty"
-        );
-    }
-    return token;
-}
 
 //- Refuse what cannot be a displacement of each point
 void checkDisplacements
