@@ -48,6 +48,8 @@ void requireValid(const CouplingOptions& options) {
     requireNotNegative("signalToNoise", options.signalToNoise);
     requireNotNegative("largestStep", options.largestStep);
     requireShare("keepFraction", options.keepFraction);
+    requireShare("fluidMemory", options.fluidMemory);
+    requireNotNegative("memoryContrast", options.memoryContrast);
     requireNotNegative("absoluteDisplacement", options.absoluteDisplacement);
     requireNotNegative("relativeForce", options.relativeForce);
     requireNotNegative("absoluteForce", options.absoluteForce);

@@ -35,7 +35,7 @@ struct CouplingOptions {
     // Quasi-Newton
     int reusedTimeSteps = 15; ///< IQN-ILS: earlier steps whose columns are used
     int largestColumns = 30;  ///< IQN-ILS: columns kept at most, the newest
-    int largestRank = 60;     ///< multi-vector: rank of the Jacobian that makes
+    int largestRank = 200;    ///< multi-vector: rank of the Jacobian that makes
                               ///< it restart with the half, by singular values
     double rankLimit = 1e-6;  ///< multi-vector: at a restart singular values
                               ///< below this share of the largest are dropped
@@ -48,6 +48,12 @@ struct CouplingOptions {
     double largestStep = 2;     ///< step at most this many |residual|; 0: any
     double keepFraction = 0.05; ///< at the end of a step columns below this share
                                 ///< of its largest are dropped; 0: none
+
+    // Guards of the block method
+    double fluidMemory = 0;    ///< share of its last answer that the fluid keeps
+                               ///< because it makes few correctors; 0: none
+    double memoryContrast = 3; ///< difference accepted if it exceeds this many
+                               ///< times what the last one left behind
 
     // Criteria besides the fluid's relative tolerance for the displacement
     double absoluteDisplacement = 0; ///< enough in any case [m]; 0: no floor

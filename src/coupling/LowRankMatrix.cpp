@@ -47,8 +47,8 @@ void LowRankMatrix::compress(int largestRank, double relativeLimit) {
     }
     const ThinQr a = thinQr(A_);
     const ThinQr b = thinQr(B_);
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(a.R * b.R.transpose(),
-                                                Eigen::ComputeThinU | Eigen::ComputeThinV);
+    const Eigen::BDCSVD<Eigen::MatrixXd> svd(a.R * b.R.transpose(),
+                                             Eigen::ComputeThinU | Eigen::ComputeThinV);
     const Eigen::VectorXd& values = svd.singularValues();
     Eigen::Index n = 0;
     while (n < values.size() && n < largestRank && values[n] > relativeLimit * values[0]) {

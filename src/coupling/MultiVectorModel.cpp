@@ -62,7 +62,9 @@ void MultiVectorModel::acceptTimeStep() {
         }
     }
     old_ = matrix();
-    if (old_.rank() > options_.largestRank) {
+    // Twice as many terms as the matrix has rows say nothing more than half do.
+    const auto full = static_cast<int>(std::min(old_.A().rows(), old_.B().rows()));
+    if (old_.rank() > std::min(options_.largestRank, 2 * full)) {
         old_.compress(options_.largestRank / 2, options_.rankLimit);
     }
     rejectTimeStep();

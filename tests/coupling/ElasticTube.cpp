@@ -52,8 +52,8 @@ ElasticTube::Vector<Scalar> ElasticTube::areaOf(const Vector<Scalar>& pressure) 
 }
 
 template <class Scalar>
-ElasticTube::Vector<Scalar> ElasticTube::residual(const Vector<Scalar>& flow,
-                                                  const Vector<Scalar>& area) const {
+ElasticTube::Vector<Scalar> ElasticTube::imbalance(const Vector<Scalar>& flow,
+                                                   const Vector<Scalar>& area) const {
     const int n = nCells_;
     const Vector<Scalar> u = flow.head(n);
     const Vector<Scalar> p = flow.tail(n);
@@ -92,11 +92,11 @@ void ElasticTube::solve(const AreaOfFlow& areaOfFlow) {
         for (int j = 0; j < 2 * nCells_; ++j) {
             Vector<Complex> flow = flow_.cast<Complex>();
             flow[j] += Complex(0, step);
-            jacobian.col(j) = residual<Complex>(flow, areaOfFlow(flow)).imag() / step;
+            jacobian.col(j) = imbalance<Complex>(flow, areaOfFlow(flow)).imag() / step;
         }
         const Vector<double> change =
             jacobian.partialPivLu()
-                .solve(residual<double>(flow_, areaOfFlow(flow_)).matrix())
+                .solve(imbalance<double>(flow_, areaOfFlow(flow_)).matrix())
                 .array();
         flow_ -= change;
         if (!flow_.allFinite()) {
@@ -111,8 +111,11 @@ void ElasticTube::solve(const AreaOfFlow& areaOfFlow) {
 
 Eigen::VectorXd ElasticTube::fluid(const Eigen::VectorXd& x) {
     const Vector<double> area = 1 + x.array();
-    if (area.minCoeff() < 1e-2) {
-        throw SolverError("the tube is closed");
+    if (!(area.minCoeff() > 1e-2 && area.maxCoeff() < 100)) {
+        throw SolverError("the tube is closed or has burst");
+    }
+    if (!flow_.allFinite()) {
+        flow_ = oldFlow_;
     }
     solve([&area](const auto& flow) {
         return area.cast<typename std::decay_t<decltype(flow)>::Scalar>().eval();
@@ -120,16 +123,30 @@ Eigen::VectorXd ElasticTube::fluid(const Eigen::VectorXd& x) {
     return flow_.tail(nCells_).matrix();
 }
 
-Eigen::VectorXd ElasticTube::structure(const Eigen::VectorXd& pressure) const {
+Eigen::VectorXd ElasticTube::residual(const Eigen::VectorXd& x) {
+    return (2 * squaredWaveSpeed_ * (1 - (1 + x.array()).rsqrt())).matrix();
+}
+
+void ElasticTube::factor(const Eigen::VectorXd& x) {
+    tangent_ = squaredWaveSpeed_ * (1 + x.array()).pow(-1.5);
+}
+
+Eigen::MatrixXd ElasticTube::solve(const Eigen::MatrixXd& b) {
+    return tangent_.inverse().matrix().asDiagonal() * b;
+}
+
+Eigen::VectorXd ElasticTube::structure(const Eigen::VectorXd& pressure,
+                                       const Eigen::VectorXd& /*start*/) {
     return (areaOf<double>(pressure.array()) - 1).matrix();
 }
 
-Eigen::VectorXd ElasticTube::monolithic() {
+Eigen::VectorXd ElasticTube::monolithic(const Eigen::VectorXd& start) {
+    flow_ = oldFlow_;
     solve([this](const auto& flow) {
         using Scalar = typename std::decay_t<decltype(flow)>::Scalar;
         return areaOf<Scalar>(flow.tail(nCells_));
     });
-    return structure(flow_.tail(nCells_).matrix());
+    return structure(flow_.tail(nCells_).matrix(), start);
 }
 
 void ElasticTube::acceptTimeStep(const Eigen::VectorXd& x) {

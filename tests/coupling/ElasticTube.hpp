@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
+#include "CoupledModel.hpp"
 
 namespace tokay::coupling {
 
@@ -14,37 +14,39 @@ namespace tokay::coupling {
 /// Structure: a(p) = (2 c² / (2 c² - p))², without inertia.
 /// Source: Degroote, Bruggeman, Haelterman & Vierendeels 2008, Stability of a
 /// coupling technique for partitioned solvers in FSI applications.
-class ElasticTube {
+class ElasticTube : public CoupledModel {
   public:
     /// @param nCells
     /// @param stiffness  κ, wave speed over inlet velocity
     /// @param deltaT     τ, time step over transit time
     ElasticTube(int nCells, double stiffness, double deltaT);
 
-    /// Next time step: u at the inlet is 1 + 0.1 sin²(πt).
-    void beginTimeStep();
+    int nUnknowns() const override { return nCells_; }
+    double deltaT() const override { return deltaT_; }
+
+    /// u at the inlet is 1 + 0.1 sin²(πt).
+    void beginTimeStep() override;
 
     /// Pressure of the flow through cross-sections 1 + x.
-    /// @throws SolverError if Newton's method fails
-    Eigen::VectorXd fluid(const Eigen::VectorXd& x);
+    Eigen::VectorXd fluid(const Eigen::VectorXd& x) override;
+    Eigen::VectorXd structure(const Eigen::VectorXd& pressure,
+                              const Eigen::VectorXd& start) override;
 
-    /// x of the tube under this pressure.
-    Eigen::VectorXd structure(const Eigen::VectorXd& pressure) const;
+    /// By Newton's method on the joint equations, from the last step's flow.
+    Eigen::VectorXd monolithic(const Eigen::VectorXd& start) override;
+    void acceptTimeStep(const Eigen::VectorXd& x) override;
 
-    /// Both at once, by Newton's method on the joint equations.
-    Eigen::VectorXd monolithic();
-
-    /// Ends the step with the flow of the last call of fluid or monolithic.
-    void acceptTimeStep(const Eigen::VectorXd& x);
-
-    double deltaT() const { return deltaT_; }
+    /// The pressure that belongs to these cross-sections.
+    Eigen::VectorXd residual(const Eigen::VectorXd& x) override;
+    void factor(const Eigen::VectorXd& x) override;
+    Eigen::MatrixXd solve(const Eigen::MatrixXd& b) override;
 
   private:
     template <class Scalar>
     using Vector = Eigen::Array<Scalar, Eigen::Dynamic, 1>;
     /// Flow of all cells: velocities, then pressures.
     template <class Scalar>
-    Vector<Scalar> residual(const Vector<Scalar>& flow, const Vector<Scalar>& area) const;
+    Vector<Scalar> imbalance(const Vector<Scalar>& flow, const Vector<Scalar>& area) const;
     template <class Scalar>
     Vector<Scalar> areaOf(const Vector<Scalar>& pressure) const;
     template <class AreaOfFlow>
@@ -62,6 +64,7 @@ class ElasticTube {
     Vector<double> oldArea_;
     Vector<double> flow_;
     int step_ = 0;
+    Vector<double> tangent_;
 };
 
 } // namespace tokay::coupling

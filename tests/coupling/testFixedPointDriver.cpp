@@ -197,6 +197,8 @@ TEST(CouplingOptions, valueOutOfItsRangeIsRefusedByNameAndValue) {
     expectRefusal("signalToNoise is -1", &CouplingOptions::signalToNoise, -1);
     expectRefusal("largestStep is nan", &CouplingOptions::largestStep, std::nan(""));
     expectRefusal("keepFraction is 1", &CouplingOptions::keepFraction, 1);
+    expectRefusal("fluidMemory is 1", &CouplingOptions::fluidMemory, 1);
+    expectRefusal("memoryContrast is -1", &CouplingOptions::memoryContrast, -1);
     expectRefusal("absoluteDisplacement is inf", &CouplingOptions::absoluteDisplacement,
                   std::numeric_limits<double>::infinity());
     expectRefusal("relativeForce is -1", &CouplingOptions::relativeForce, -1);

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "coupling/ConvergenceCriteria.hpp"
+#include "coupling/CouplingOptions.hpp"
+#include "coupling/FixedPointDriver.hpp"
+#include "coupling/FluidMemory.hpp"
+#include "coupling/MultiVectorModel.hpp"
+#include "coupling/Predictor.hpp"
+#include "coupling/TangentStructure.hpp"
+
+namespace tokay::coupling {
+
+/// Block multi-vector quasi-Newton: the structure's tangent is known and
+/// factored, so only the fluid's response J ≈ dF/dx is learned. Each exchange
+/// solves the structure in a fluid that responds by J (@see BlockSystem). Takes
+/// the place of FixedPointDriver, with the same life cycle.
+///
+/// Uses initialRelaxation, filter, filterLimit, largestRank, rankLimit,
+/// signalToNoise, fluidMemory, memoryContrast; neither largestStep nor
+/// keepFraction.
+class BlockQuasiNewton {
+  public:
+    /// Borrows the structure.
+    /// @param initial  state d of the structure at the start
+    /// @throws InputError if an option or the tolerance is out of its range
+    BlockQuasiNewton(const CouplingOptions& options, double tolerance, TangentStructure& structure,
+                     const Eigen::VectorXd& initial);
+
+    /// The structure has begun its step already.
+    /// @return  predicted displacement x of the interface
+    const Eigen::VectorXd& beginTimeStep(double deltaT);
+
+    /// @param forces         on the fluid's faces, at the last x returned
+    /// @param fluidResidual  relative error that they may have
+    /// @throws SolverError if a value is not finite or Newton's method fails
+    Iteration iterate(const Eigen::VectorXd& forces, double fluidResidual);
+
+    /// @param d  state that the structure has accepted under the final forces
+    /// @return   residual of these forces
+    double acceptTimeStep(const Eigen::VectorXd& d);
+
+    /// Forgets the step, which will be tried again.
+    void rejectTimeStep();
+
+    /// Structure's state at the last x returned: where to start its solution.
+    const Eigen::VectorXd& state() const { return next_.d; }
+
+    const StepStatistics& statistics() const { return statistics_; }
+
+  private:
+    /// A state of the structure and the interface's displacement in it.
+    struct Position {
+        Eigen::VectorXd d;
+        Eigen::VectorXd x;
+    };
+
+    Position at(const Eigen::VectorXd& d) const;
+    void learn(const Eigen::VectorXd& forces, double fluidResidual);
+    Eigen::VectorXd structuresAnswer(const Eigen::VectorXd& forces) const;
+    Position nextPosition(const Eigen::VectorXd& forces) const;
+
+    CouplingOptions options_;
+    ConvergenceCriteria criteria_;
+    TangentStructure& structure_;
+    Predictor predictor_; ///< of d
+    MultiVectorModel model_;
+    FluidMemory memory_;
+    Position now_;                   ///< that the last forces belong to
+    Position next_;                  ///< that the next forces will belong to
+    Eigen::VectorXd previousX_;      ///< of the exchange before, empty in the first
+    Eigen::VectorXd previousForces_; ///< likewise
+    double deltaT_ = 0;
+    double deltaTOfModel_ = 0;
+    StepStatistics statistics_;
+};
+
+} // namespace tokay::coupling

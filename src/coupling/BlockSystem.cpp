@@ -1,0 +1,78 @@
+#include "coupling/BlockSystem.hpp"
+
+#include "common/errors.hpp"
+
+#include <Eigen/LU>
+
+namespace tokay::coupling {
+namespace {
+
+constexpr int largestIterations = 40;
+
+/// What is left of the imbalance is rounding error (a linear structure gets
+/// there in one step, and need not be factored again to notice).
+constexpr double rounding = 1e-11;
+
+} // namespace
+
+BlockSystem::BlockSystem(TangentStructure& structure, const Eigen::VectorXd& forces,
+                         const Eigen::VectorXd& xOfForces, LowRankMatrix J)
+    : structure_(structure), forces_(forces), xOfForces_(xOfForces), J_(std::move(J)) {
+    if (J_.rank() > 0) {
+        loadsOfA_ = structure_.loads(J_.A());
+    }
+}
+
+/// Pᵀ F(P d) - R(d)
+Eigen::VectorXd BlockSystem::imbalance(const Eigen::VectorXd& d) const {
+    const Eigen::VectorXd x = structure_.displacements(d);
+    const Eigen::VectorXd forces = forces_ + J_.apply(x - xOfForces_, forces_.size());
+    return structure_.loads(forces) - structure_.residual(d);
+}
+
+Eigen::VectorXd BlockSystem::newtonStep(const Eigen::VectorXd& imbalance) const {
+    Eigen::VectorXd step = structure_.solve(imbalance);
+    if (J_.rank() == 0) {
+        return step;
+    }
+    const Eigen::MatrixXd Z = structure_.solve(loadsOfA_);
+    const Eigen::MatrixXd coefficients = J_.B().transpose() * structure_.displacements(Z);
+    const Eigen::VectorXd driven = J_.B().transpose() * structure_.displacements(step);
+    const Eigen::Index r = J_.rank();
+    step += Z * (Eigen::MatrixXd::Identity(r, r) - coefficients).partialPivLu().solve(driven);
+    return step;
+}
+
+Eigen::VectorXd BlockSystem::solve(Eigen::VectorXd d, double tolerance) const {
+    Eigen::VectorXd rest = imbalance(d);
+    const double start = rest.norm();
+    for (int iteration = 0; iteration < largestIterations; ++iteration) {
+        if (rest.norm() <= rounding * start) {
+            return d;
+        }
+        structure_.factor(d);
+        const Eigen::VectorXd step = newtonStep(rest);
+        double length = 1;
+        Eigen::VectorXd next = d + step;
+        Eigen::VectorXd nextRest = imbalance(next);
+        while (!(nextRest.norm() <= (1 - 1e-4 * length) * rest.norm()) && length > 1e-3 &&
+               !(length * step.norm() <= tolerance * next.norm())) {
+            length /= 2;
+            next = d + length * step;
+            nextRest = imbalance(next);
+        }
+        if (!nextRest.allFinite()) {
+            break;
+        }
+        d = next;
+        rest = nextRest;
+        if (length * step.norm() <= tolerance * d.norm()) {
+            return d;
+        }
+    }
+    throw SolverError("The structure's answer to the fluid was not found in " +
+                      std::to_string(largestIterations) +
+                      " iterations of Newton's method: use smaller time steps.");
+}
+
+} // namespace tokay::coupling

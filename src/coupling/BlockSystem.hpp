@@ -1,0 +1,37 @@
+#pragma once
+
+#include "coupling/LowRankMatrix.hpp"
+#include "coupling/TangentStructure.hpp"
+
+namespace tokay::coupling {
+
+/// A structure in a fluid that responds linearly, F(x) = forces + J (x - xOfForces)
+/// with J = A Bᵀ of small rank:  R(d) - Pᵀ F(P d) = 0.
+///
+/// Newton's method needs nothing but the structure's own factors: with
+/// y = K⁻¹ b and Z = K⁻¹ Pᵀ A the step is y + Z (1 - Bᵀ P Z)⁻¹ Bᵀ P y, that is
+/// rank + 1 back-substitutions.
+class BlockSystem {
+  public:
+    /// Borrows the structure.
+    BlockSystem(TangentStructure& structure, const Eigen::VectorXd& forces,
+                const Eigen::VectorXd& xOfForces, LowRankMatrix J);
+
+    /// Newton's method with line search.
+    /// @param d          start
+    /// @param tolerance  of the last step, relative to d
+    /// @throws SolverError if it does not converge
+    Eigen::VectorXd solve(Eigen::VectorXd d, double tolerance) const;
+
+  private:
+    Eigen::VectorXd imbalance(const Eigen::VectorXd& d) const;
+    Eigen::VectorXd newtonStep(const Eigen::VectorXd& imbalance) const;
+
+    TangentStructure& structure_;
+    const Eigen::VectorXd& forces_;
+    const Eigen::VectorXd& xOfForces_;
+    LowRankMatrix J_;
+    Eigen::MatrixXd loadsOfA_; ///< Pᵀ A
+};
+
+} // namespace tokay::coupling

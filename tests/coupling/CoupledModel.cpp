@@ -1,0 +1,12 @@
+#include "CoupledModel.hpp"
+
+#include "coupling/BlockSystem.hpp"
+
+namespace tokay::coupling {
+
+Eigen::VectorXd CoupledModel::structure(const Eigen::VectorXd& forces,
+                                        const Eigen::VectorXd& start) {
+    return BlockSystem(*this, forces, start, LowRankMatrix()).solve(start, 1e-12);
+}
+
+} // namespace tokay::coupling

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "coupling/TangentStructure.hpp"
+
+namespace tokay::coupling {
+
+/// A fluid and a structure small enough to be solved both ways: coupled from
+/// outside, by calls of fluid and structure, and at once. The unknowns of the
+/// structure are the displacements of the interface, and forces act on them.
+class CoupledModel : public TangentStructure {
+  public:
+    virtual int nUnknowns() const = 0;
+
+    /// Of the step begun last.
+    virtual double deltaT() const = 0;
+
+    virtual void beginTimeStep() = 0;
+
+    /// Forces of the fluid when the interface is displaced by x.
+    /// @throws SolverError if the fluid has no answer
+    virtual Eigen::VectorXd fluid(const Eigen::VectorXd& x) = 0;
+
+    /// Displacement of the structure under these forces.
+    /// @param start  for Newton's method
+    virtual Eigen::VectorXd structure(const Eigen::VectorXd& forces, const Eigen::VectorXd& start);
+
+    /// Solution of the coupled step.
+    virtual Eigen::VectorXd monolithic(const Eigen::VectorXd& start) = 0;
+
+    /// Ends the step with the fluid as it answered last, and this displacement.
+    virtual void acceptTimeStep(const Eigen::VectorXd& x) = 0;
+
+    Eigen::MatrixXd displacements(const Eigen::MatrixXd& d) override { return d; }
+    Eigen::MatrixXd loads(const Eigen::MatrixXd& forces) override { return forces; }
+};
+
+} // namespace tokay::coupling

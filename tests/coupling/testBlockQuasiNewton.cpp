@@ -1,0 +1,247 @@
+#include "ElasticTube.hpp"
+#include "LinearResponse.hpp"
+#include "Ring.hpp"
+#include "common/errors.hpp"
+#include "coupledRun.hpp"
+#include "coupling/BlockQuasiNewton.hpp"
+#include "coupling/BlockSystem.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace tokay::coupling {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// N unknowns of which an interface of fewer points sees combinations:
+/// R(d) = K d + cubic d³ - load.
+class Springs : public TangentStructure {
+  public:
+    Springs(int nUnknowns, int nPoints, double cubic) : cubic_(cubic) {
+        std::srand(21);
+        const MatrixXd root = MatrixXd::Random(nUnknowns, nUnknowns);
+        K_ = root * root.transpose() + MatrixXd::Identity(nUnknowns, nUnknowns);
+        P_ = MatrixXd::Random(nPoints, nUnknowns);
+        load_ = VectorXd::Random(nUnknowns);
+    }
+
+    VectorXd residual(const VectorXd& d) override {
+        return K_ * d + cubic_ * d.array().cube().matrix() - load_;
+    }
+    void factor(const VectorXd& d) override {
+        MatrixXd tangent = K_;
+        tangent.diagonal() += 3 * cubic_ * d.cwiseAbs2();
+        factors_.compute(tangent);
+        ++nFactorisations;
+    }
+    MatrixXd solve(const MatrixXd& b) override { return factors_.solve(b); }
+    MatrixXd displacements(const MatrixXd& d) override { return P_ * d; }
+    MatrixXd loads(const MatrixXd& forces) override { return P_.transpose() * forces; }
+
+    int nFactorisations = 0;
+
+  private:
+    double cubic_;
+    MatrixXd K_;
+    MatrixXd P_;
+    VectorXd load_;
+    Eigen::PartialPivLU<MatrixXd> factors_;
+};
+
+/// What remains of R(d) = Pᵀ (F + J (P d - x)).
+double imbalance(Springs& springs, const VectorXd& d, const VectorXd& F, const VectorXd& x,
+                 const LowRankMatrix& J) {
+    const VectorXd forces = F + J.apply(springs.displacements(d) - x, F.size());
+    return (springs.residual(d) - springs.loads(forces)).norm();
+}
+
+LowRankMatrix randomJacobian(int n, int rank) {
+    LowRankMatrix J;
+    J.append(-MatrixXd::Random(n, rank), MatrixXd::Random(n, rank));
+    return J;
+}
+
+TEST(BlockSystem, balancesALinearStructureInAFluidThatRespondsWithOneFactorisation) {
+    Springs springs(12, 5, 0);
+    const LowRankMatrix J = randomJacobian(5, 3);
+    const VectorXd F = VectorXd::Random(5);
+    const VectorXd x = VectorXd::Random(5);
+    const VectorXd d = BlockSystem(springs, F, x, J).solve(VectorXd::Zero(12), 1e-9);
+    EXPECT_LT(imbalance(springs, d, F, x, J), 1e-9); // conditions of K and of the block: some 1e3
+    EXPECT_EQ(springs.nFactorisations, 1);
+}
+
+TEST(BlockSystem, convergesQuadraticallyForANonlinearStructure) {
+    Springs springs(12, 5, 5);
+    const LowRankMatrix J = randomJacobian(5, 3);
+    const VectorXd F = VectorXd::Random(5);
+    const VectorXd x = VectorXd::Random(5);
+    const VectorXd d = BlockSystem(springs, F, x, J).solve(VectorXd::Zero(12), 1e-9);
+    EXPECT_LT(imbalance(springs, d, F, x, J), 1e-9);
+    EXPECT_LT(springs.nFactorisations, 10); // five or so to get near, three to double the digits
+}
+
+TEST(BlockSystem, withoutAResponseIsTheStructureAlone) {
+    Springs springs(12, 5, 5);
+    const VectorXd F = VectorXd::Random(5);
+    const VectorXd x = VectorXd::Random(5);
+    const VectorXd d = BlockSystem(springs, F, x, LowRankMatrix()).solve(VectorXd::Zero(12), 1e-9);
+    EXPECT_LT((springs.residual(d) - springs.loads(F)).norm(), 1e-9);
+}
+
+TEST(BlockSystem, forcesThatAreNotFiniteEndInAnError) {
+    Springs springs(3, 2, 1);
+    const VectorXd F = VectorXd::Constant(2, std::nan(""));
+    const VectorXd x = VectorXd::Zero(2);
+    const BlockSystem system(springs, F, x, LowRankMatrix());
+    EXPECT_THROW(system.solve(VectorXd::Zero(3), 1e-9), SolverError);
+}
+
+TEST(FluidMemory, correctsForSevenTenthsOfWhatTheFluidKept) {
+    const VectorXd answer1 = VectorXd::Constant(2, 1);
+    const VectorXd answer2 = VectorXd::Constant(2, 3);
+    const double q = 0.3;
+    FluidMemory memory(q, 3);
+    memory.beginTimeStep();
+    EXPECT_EQ(memory.corrected(answer1), answer1);
+    const VectorXd came = answer2 + q * (answer1 - answer2);
+    const double left = (q - 0.7 * q) / (1 - 0.7 * q); // of the difference
+    EXPECT_NEAR((memory.corrected(came) - answer2)[0], left * (1 - 3), 1e-14);
+}
+
+TEST(FluidMemory, aConvergedFluidIsTakenAsItComesAndAlwaysTeaches) {
+    FluidMemory memory(0, 3);
+    memory.beginTimeStep();
+    for (const double force : {1.0, 5.0, 5.1, 5.1}) {
+        EXPECT_EQ(memory.corrected(VectorXd::Constant(1, force))[0], force);
+        EXPECT_TRUE(memory.teaches());
+    }
+}
+
+TEST(FluidMemory, aDifferenceThatMemoryExplainsTeachesNothing) {
+    const auto teachesAfter = [](double change) {
+        FluidMemory memory(0.1, 3);
+        memory.beginTimeStep();
+        memory.corrected(VectorXd::Constant(1, 0));
+        memory.corrected(VectorXd::Constant(1, 1));
+        memory.corrected(VectorXd::Constant(1, 1 + change));
+        return memory.teaches();
+    };
+    EXPECT_FALSE(teachesAfter(0.99 / 3)); // 3 * 0.1 / (1 - 0.1) = 1/3
+    EXPECT_TRUE(teachesAfter(1.01 / 3));
+}
+
+/// Mean evaluations a step at the tolerance 1e-8; every step is checked
+/// against the monolithic solution.
+double meanEvaluations(CoupledModel& model, const char* name) {
+    const double tolerance = 1e-8;
+    const RunResult result = coupledRun(model, Method::block, CouplingOptions(), tolerance);
+    std::printf("%s: %.2f evaluations a step, error %.1e\n", name, result.meanEvaluations,
+                result.largestError);
+    EXPECT_EQ(result.nFailed + result.nFailedAtStart, 0) << name;
+    // The fluid opposes the motion, so the error is smaller than the residual.
+    EXPECT_LT(result.largestError, 1.5 * tolerance) << name;
+    return result.meanEvaluations;
+}
+
+/// Limits: those of the design, measured with a prototype, and a fifth more.
+TEST(BlockQuasiNewton, needsFewEvaluationsAtAnyAddedMassAndFindsTheMonolithicSolution) {
+    ElasticTube tube(40, 10, 0.01);
+    EXPECT_LT(meanEvaluations(tube, "tube"), 1.2 * 3.3);
+    const struct {
+        RingWall wall;
+        double massRatio;
+        double limit;
+        const char* name;
+    } rings[] = {{RingWall::linear, 1000, 3.3, "linear ring, 1000"},
+                 {RingWall::cubic, 1000, 4.1, "cubic ring, 1000"},
+                 {RingWall::geometric, 1000, 5.0, "geometrically nonlinear ring, 1000"}};
+    for (const auto& [wall, massRatio, limit, name] : rings) {
+        Ring ring(wall, massRatio);
+        EXPECT_LT(meanEvaluations(ring, name), 1.2 * limit);
+    }
+}
+
+/// From rest, before the fluid's response is known, noise can keep a step from
+/// converging; once it is known, it cannot.
+TEST(BlockQuasiNewton, standsWhiteNoise) {
+    for (const double noise : {1e-5, 1e-3}) {
+        Ring ring(RingWall::cubic, 100);
+        const RunResult result =
+            coupledRun(ring, Method::block, CouplingOptions(), 10 * noise, {noise, 0});
+        EXPECT_EQ(result.nFailed, 0) << noise;
+        EXPECT_LT(result.meanEvaluations, 5) << noise;
+    }
+}
+
+TEST(BlockQuasiNewton, standsAFluidWithMemoryByItsGuard) {
+    const double q = 0.1;
+    const auto nFailed = [q](double fluidMemory) {
+        CouplingOptions options;
+        options.fluidMemory = fluidMemory;
+        Ring ring(RingWall::cubic, 100);
+        return coupledRun(ring, Method::block, options, 1e-4, {0, q}).nFailed;
+    };
+    EXPECT_EQ(nFailed(q), 0);
+    EXPECT_GT(nFailed(0), 10) << "the guard would be needless";
+}
+
+TEST(BlockQuasiNewton, jacobianFollowsTheTimeStep) {
+    // Forces of an added mass go as 1/Δt². One unknown is known after one
+    // difference: with the Jacobian scaled, the first answer in a step of
+    // another length is right.
+    const auto fluid = [](const VectorXd& x, double deltaT) -> VectorXd {
+        return VectorXd::Ones(1) - 10 * x / (deltaT * deltaT);
+    };
+    Springs springs(1, 1, 0);
+    BlockQuasiNewton driver(CouplingOptions(), 1e-6, springs, VectorXd::Zero(1));
+    const auto nExchanges = [&](double deltaT) {
+        VectorXd x = driver.beginTimeStep(deltaT);
+        while (!driver.statistics().converged) {
+            x = driver.iterate(fluid(x, deltaT), 0).x;
+        }
+        driver.acceptTimeStep(driver.state());
+        return driver.statistics().nExchanges;
+    };
+    EXPECT_EQ(nExchanges(0.1), 3);
+    EXPECT_EQ(nExchanges(0.2), 2);
+    EXPECT_EQ(nExchanges(0.05), 2);
+}
+
+TEST(BlockQuasiNewton, aRejectedStepLeavesNoTrace) {
+    Springs springs(6, 3, 0);
+    const LinearResponse fluid{-5 * MatrixXd::Identity(3, 3), VectorXd::Ones(3)};
+    const auto run = [&](bool withRejection) {
+        BlockQuasiNewton driver(CouplingOptions(), 1e-8, springs, VectorXd::Zero(6));
+        const auto exchanges = [&](double deltaT, int n) {
+            VectorXd x = driver.beginTimeStep(deltaT);
+            for (int i = 0; i < n; ++i) {
+                x = driver.iterate(fluid(x), 0).x;
+            }
+            return x;
+        };
+        exchanges(0.1, 6);
+        driver.acceptTimeStep(driver.state());
+        if (withRejection) {
+            exchanges(0.4, 3);
+            driver.rejectTimeStep();
+        }
+        return exchanges(0.1, 1);
+    };
+    EXPECT_LT((run(true) - run(false)).norm(), 1e-12 * run(false).norm()); // scaled to and fro
+}
+
+TEST(BlockQuasiNewton, forcesThatAreNotFiniteAreAnError) {
+    Springs springs(6, 3, 0);
+    BlockQuasiNewton driver(CouplingOptions(), 1e-8, springs, VectorXd::Zero(6));
+    driver.beginTimeStep(0.1);
+    EXPECT_THROW(driver.iterate(VectorXd::Constant(3, std::nan("")), 0), SolverError);
+    EXPECT_THROW(driver.iterate(VectorXd::Ones(3), std::nan("")), SolverError);
+}
+
+} // namespace
+} // namespace tokay::coupling
