@@ -15,6 +15,26 @@ makeCase()
     cd "$1"
 }
 
+# makeFlap FOLDER: a case coupled to igaStructure, with the tutorial's flap
+makeFlap()
+{
+    makeCase "$1"
+    cp -r "$TOKAY_ROOT/tutorials/perpendicularFlap/structure" .
+    removeEntry system/controlDict functions.structure.structure.program
+    removeEntry system/controlDict functions.structure.structure.arguments
+    coupling structure.case '"structure/case.yaml"'
+    coupling structure.log '"log.igaStructure"'
+}
+
+# flapEntry TEXT TEXT: replaces a text in the flap's case file
+flapEntry()
+{
+    local text
+    text=$(cat structure/case.yaml)
+    [[ $text == *"$1"* ]] || fail "the flap's case file has no '$1'"
+    printf '%s\n' "${text/"$1"/"$2"}" > structure/case.yaml
+}
+
 # editEntry FILE KEY OPTION...: macros of the file stay, where they stand for values
 editEntry()
 {

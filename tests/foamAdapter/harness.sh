@@ -101,8 +101,24 @@ fail()
 # Process numbers of what this property has started and is still there
 processes()
 {
-    env --unset=TOKAY_TEST_MARK grep --files-with-matches --no-messages --text \
-        --fixed-strings "$mark" /proc/[0-9]*/environ | sed 's|/proc/\([0-9]*\)/.*|\1|'
+    # Others' processes cannot be read, and some are gone when it is their turn
+    { grep --files-with-matches --no-messages --text --fixed-strings "$mark" \
+        /proc/[0-9]*/environ || true; } | sed 's|/proc/\([0-9]*\)/.*|\1|'
+}
+
+# processOf NAME: number of this property's first process of that program
+processOf()
+{
+    local pid
+    for pid in $(processes)
+    do
+        if [ "$(cat "/proc/$pid/comm" 2> /dev/null)" = "$1" ]
+        then
+            printf '%s\n' "$pid"
+            return
+        fi
+    done
+    fail "no process $1"
 }
 
 endProcesses()

@@ -34,21 +34,6 @@ startLongRun()
     startTime=$SECONDS
 }
 
-# processOf NAME: number of this property's first process of that program
-processOf()
-{
-    local pid
-    for pid in $(processes)
-    do
-        if [ "$(cat "/proc/$pid/comm" 2> /dev/null)" = "$1" ]
-        then
-            printf '%s\n' "$pid"
-            return
-        fi
-    done
-    fail "no process $1"
-}
-
 property version "another version of the messages is refused by both sides"
 version()
 {
