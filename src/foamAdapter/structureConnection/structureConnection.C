@@ -148,7 +148,8 @@ void Foam::structureConnection::onMaster(const std::function<void()>& action)
             const std::string how(process_ ? process_->end(patience) : "");
             if (!how.empty())
             {
-                error += ".\n    " + how;
+                error += error.back() == '.' ? "\n    " : ".\n    ";
+                error += how;
             }
         }
         catch (const std::exception& ownError)
