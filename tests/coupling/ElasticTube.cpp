@@ -114,9 +114,7 @@ Eigen::VectorXd ElasticTube::fluid(const Eigen::VectorXd& x) {
     if (!(area.minCoeff() > 1e-2 && area.maxCoeff() < 100)) {
         throw SolverError("the tube is closed or has burst");
     }
-    if (!flow_.allFinite()) {
-        flow_ = oldFlow_;
-    }
+    flow_ = oldFlow_; // whatever an earlier call may have ended in
     solve([&area](const auto& flow) {
         return area.cast<typename std::decay_t<decltype(flow)>::Scalar>().eval();
     });
