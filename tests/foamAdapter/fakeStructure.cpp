@@ -124,7 +124,8 @@ class Structure {
                 ++exchange_;
                 misbehave();
                 answer(stateAfter(*forces));
-            } else if (std::get_if<Goodbye>(&message)) {
+            } else if (const auto* goodbye = std::get_if<Goodbye>(&message)) {
+                std::cout << "goodbye: " << goodbye->reason << std::endl;
                 return end();
             }
         }

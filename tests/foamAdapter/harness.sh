@@ -50,16 +50,19 @@ property()
 # runProperties [NAME...]: all, or those named
 runProperties()
 {
-    local i failed=0
-    if [ $# -eq 1 ]
+    local i ran=0 failed=0
+    if [ -n "${TOKAY_TEST_INNER:-}" ]
     then
+        unset TOKAY_TEST_INNER
         runProperty "$1"
         return
     fi
     for i in "${!propertyNames[@]}"
     do
         [ $# -eq 0 ] || [[ " $* " == *" ${propertyNames[i]} "* ]] || continue
-        if bash "$0" "${propertyNames[i]}"
+        ran=$((ran + 1))
+        # In a shell of its own, where the first failing command ends it
+        if TOKAY_TEST_INNER=yes bash "$0" "${propertyNames[i]}"
         then
             printf 'passed  %s\n' "${propertySentences[i]}"
         else
@@ -67,7 +70,7 @@ runProperties()
             failed=$((failed + 1))
         fi
     done
-    [ "$failed" -eq 0 ]
+    [ "$ran" -gt 0 ] && [ "$failed" -eq 0 ]
 }
 
 runProperty()

@@ -204,6 +204,7 @@ stopped()
     entry system/controlDict writeInterval 0.02
     entry system/controlDict endTime 100
     runFluid
+    expectText log.igaStructure "goodbye: the fluid's run has ended"
     expectEqual "last step" "$(steps record | tail -n 1 | cut -d ' ' -f 1)" 0.02
     expectEqual "time folders" "$(timeFolders)" "0.02 "
 }
