@@ -31,12 +31,12 @@ namespace
 struct notice
 {
     int signal;
-    std::string line;
+    std::string line;   // empty where others say it: OpenFOAM, the library
     tokay::coupling::Bytes frame;
     struct sigaction before;
 };
 
-std::array<notice, 3> notices;
+std::array<notice, 5> notices;
 
 //- Sockets to structures, one for each coupling of this process
 std::array<std::atomic<int>, 16> sockets;
@@ -103,17 +103,27 @@ void notifyOfExit()
         (
             tokay::coupling::Failure
             {
-                "it has stopped before its end. See the fluid's log"
+                "it was stopped by an error of its own. See its log"
             }
         )
     );
 }
 
 //- Words for a signal, and the handler in its place
-void install(notice& n, const int signal, const std::string& what)
+void install
+(
+    notice& n,
+    const int signal,
+    const std::string& what,
+    const bool speaks
+)
 {
     n.signal = signal;
-    n.line = "\nstructureCoupling: the run ends here: it was " + what + '\n';
+    if (speaks)
+    {
+        n.line =
+            "\nstructureCoupling: the run ends here: it was " + what + '\n';
+    }
     n.frame =
         tokay::coupling::encodeFrame
         (
@@ -154,16 +164,20 @@ void installAll()
     {
         socket = -1;
     }
-    install(notices[0], SIGINT, "interrupted (SIGINT, Ctrl-C)");
-    install(notices[1], SIGTERM, "terminated (SIGTERM)");
+    install(notices[0], SIGINT, "interrupted (SIGINT, Ctrl-C)", true);
+    install(notices[1], SIGTERM, "terminated (SIGTERM)", true);
     install
     (
         notices[2],
         SIGFPE,
         "stopped by a floating point exception (SIGFPE): a division by zero, "
         "an overflow or an undefined number. Most often the flow has "
-        "diverged: reduce deltaT, or check the mesh"
+        "diverged: reduce deltaT, or check the mesh",
+        true
     );
+    const std::string error("stopped by an error of its own. See its log");
+    install(notices[3], SIGABRT, error, false);
+    install(notices[4], SIGSEGV, error, false);
 }
 
 } // End anonymous namespace

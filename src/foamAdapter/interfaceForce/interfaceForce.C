@@ -35,10 +35,21 @@ Foam::tmp<Foam::scalarField> Foam::interfaceForce::viscosity
         ).muEff(patchi);
     }
 
-    return rho_*mesh_.lookupObject<incompressibleModel>
+    tmp<scalarField> nuEff
     (
-        incompressibleModel::propertiesName
-    ).nuEff(patchi);
+        mesh_.lookupObject<incompressibleModel>
+        (
+            incompressibleModel::propertiesName
+        ).nuEff(patchi)
+    );
+    if (kinematic_)
+    {
+        return rho_*nuEff;
+    }
+    // Several incompressible phases
+    return
+        mesh_.lookupObject<volScalarField>("rho").boundaryField()[patchi]
+       *nuEff;
 }
 
 
@@ -53,6 +64,7 @@ Foam::interfaceForce::interfaceForce
     mesh_(mesh),
     pName_(dict.lookupOrDefault<word>("p", "p")),
     UName_(dict.lookupOrDefault<word>("U", "U")),
+    kinematic_(false),
     rho_(1),
     pRef_(dict.lookupOrDefault<scalar>("pRef", 0)),
     viscous_(dict.lookupOrDefault("viscous", true))
@@ -70,11 +82,10 @@ Foam::interfaceForce::interfaceForce
             << mesh.sortedNames<volVectorField>() << exit(FatalIOError);
     }
 
-    if
-    (
-        mesh.lookupObject<volScalarField>(pName_).dimensions()
-     != dimPressure
-    )
+    kinematic_ =
+        mesh.lookupObject<volScalarField>(pName_).dimensions() != dimPressure;
+
+    if (kinematic_)
     {
         rho_ = dict.get<scalar>("rho");
         if (rho_ <= 0)
