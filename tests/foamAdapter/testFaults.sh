@@ -192,7 +192,16 @@ otherFault()
     removeEntry system/fvSolution solvers.pFinal
     runFaultyFluid
     expectText log.pimpleFoam "pFinal"
-    expectStructureSays "the fluid ended: it has stopped before its end. See the fluid's log"
+    expectStructureSays "the fluid ended: it was stopped by an error of its own. See its log"
+}
+
+property abortion "a structure hears that the fluid has aborted"
+abortion()
+{
+    startLongRun
+    kill -ABRT "$fluid"
+    expectBadEnd
+    expectStructureSays "the fluid ended: it was stopped by an error of its own. See its log"
 }
 
 property parallelStructureDies "in parallel all ranks end with a structure that dies, with one message"
