@@ -90,51 +90,51 @@ void integrateIntersection(const SurfaceInterface& from, const SurfaceMesh& to,
 
 } // namespace
 
-MortarMapping::MortarMapping(const CurveInterface& from, const CurveInterface& to,
-                             const MortarOptions& options) {
+template <class From, class To, class Integrate>
+void MortarMapping::build(const From& from, const To& to, const MortarOptions& options,
+                          MortarAssembler assembler, Integrate integrate) {
     const Stopwatch watch;
-    MortarAssembler assembler(to.nValues(), from.nValues(), options.basis);
     GapStatistics gaps(options.gapLimit, from.size());
-    integrateIntersection(from, to, options.gapLimit, options.nExtraPoints, assembler, gaps);
+    integrate(assembler, gaps);
     gaps.enter(report_);
     finish(assembler, options, from, to);
     report_.seconds = watch.seconds();
+}
+
+MortarMapping::MortarMapping(const CurveInterface& from, const CurveInterface& to,
+                             const MortarOptions& options) {
+    build(from, to, options, {to.nValues(), from.nValues(), options.basis},
+          [&](MortarAssembler& assembler, GapStatistics& gaps) {
+              integrateIntersection(from, to, options.gapLimit, options.nExtraPoints, assembler,
+                                    gaps);
+          });
 }
 
 MortarMapping::MortarMapping(const SurfaceMesh& from, const SurfaceMesh& to,
                              const MortarOptions& options) {
-    const Stopwatch watch;
-    MortarAssembler assembler(to.nValues(), from.nValues(), options.basis);
-    GapStatistics gaps(options.gapLimit, from.size());
-    integrateIntersection(from, to, options.gapLimit, assembler, gaps);
-    gaps.enter(report_);
-    finish(assembler, options, from, to);
-    report_.seconds = watch.seconds();
+    build(from, to, options, {to.nValues(), from.nValues(), options.basis},
+          [&](MortarAssembler& assembler, GapStatistics& gaps) {
+              integrateIntersection(from, to, options.gapLimit, assembler, gaps);
+          });
 }
 
 MortarMapping::MortarMapping(const SurfaceMesh& from, const SurfaceInterface& to,
                              const MortarOptions& options) {
-    const Stopwatch watch;
     if (options.basis == MortarBasis::dual)
         throw InputError("There is no dual basis for splines on patches: choose the standard "
                          "mortar basis.");
-    MortarAssembler assembler(to.nValues(), from.nValues(), options.basis, to.nElements());
-    GapStatistics gaps(options.gapLimit, from.size());
-    integrateIntersection(from, to, options, assembler, gaps);
-    gaps.enter(report_);
-    finish(assembler, options, from, to);
-    report_.seconds = watch.seconds();
+    build(from, to, options, {to.nValues(), from.nValues(), options.basis, to.nElements()},
+          [&](MortarAssembler& assembler, GapStatistics& gaps) {
+              integrateIntersection(from, to, options, assembler, gaps);
+          });
 }
 
 MortarMapping::MortarMapping(const SurfaceInterface& from, const SurfaceMesh& to,
                              const MortarOptions& options) {
-    const Stopwatch watch;
-    MortarAssembler assembler(to.nValues(), from.nValues(), options.basis);
-    GapStatistics gaps(options.gapLimit, from.size());
-    integrateIntersection(from, to, options, assembler, gaps);
-    gaps.enter(report_);
-    finish(assembler, options, from, to);
-    report_.seconds = watch.seconds();
+    build(from, to, options, {to.nValues(), from.nValues(), options.basis},
+          [&](MortarAssembler& assembler, GapStatistics& gaps) {
+              integrateIntersection(from, to, options, assembler, gaps);
+          });
 }
 
 void MortarMapping::finish(const MortarAssembler& assembler, const MortarOptions& options,

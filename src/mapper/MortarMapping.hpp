@@ -60,6 +60,11 @@ class MortarMapping : public Mapping {
     const SparseMatrix& crossMatrix() const { return cross_; }
 
   private:
+    /// What all constructors do around their way to integrate.
+    /// @param integrate  (MortarAssembler&, GapStatistics&)
+    template <class From, class To, class Integrate>
+    void build(const From& from, const To& to, const MortarOptions& options,
+               MortarAssembler assembler, Integrate integrate);
     void finish(const MortarAssembler& assembler, const MortarOptions& options,
                 const Discretisation& from, const Discretisation& to);
 
