@@ -231,14 +231,14 @@ void Foam::couplingSession::exchange(const bool final)
           + ", corrector " + std::to_string(corrector_)
         )
     );
-    nextDisplacement_ = interface_.distribute(answer.values);
-
-    scalarList state(2);
-    state[0] = answer.residual;
-    state[1] = answer.state != tokay::coupling::State::iterate;
-    Pstream::scatter(state);
     if (!final)
     {
+        nextDisplacement_ = interface_.distribute(answer.values);
+
+        scalarList state(2);
+        state[0] = answer.residual;
+        state[1] = answer.state != tokay::coupling::State::iterate;
+        Pstream::scatter(state);
         current_.residual = state[0];
         current_.converged = state[1] > 0;
     }
@@ -389,10 +389,13 @@ void Foam::couplingSession::endCorrector()
 
     if (pimple_.finalIter())
     {
-        const bool converged =
-            current_.converged && residual_.momentumConverged();
-        const bool ranOut = corrector_ == pimple_.nCorrPIMPLE();
-        if (!residual_.isExplicit() && ranOut && !converged)
+        const bool ranOut =
+            !residual_.isExplicit() && corrector_ == pimple_.nCorrPIMPLE();
+        if
+        (
+            ranOut
+         && !(current_.converged && residual_.momentumConverged())
+        )
         {
             handleUnconverged();
         }
