@@ -34,11 +34,12 @@ std::string mistake(const std::string& from, const std::string& to) {
 TEST(CaseFile, valid_file_is_read_with_its_values_and_defaults) {
     const Case read = readText(exampleText());
     EXPECT_EQ(read.name, "case");
-    EXPECT_EQ(read.surface.nControlPoints(), 3 * 11);
-    EXPECT_EQ(read.material.youngsModulus, 4e6);
-    EXPECT_EQ(read.material.thickness, 1);
-    EXPECT_TRUE(read.supports.at(0).fixed[0] && read.supports.at(0).fixed[1]);
-    EXPECT_EQ(read.loads.tractions.at(0).traction[0](0, 0.5, 0), 50);
+    const auto& solid = std::get<PlaneSolidCase>(read.structure);
+    EXPECT_EQ(solid.surface.nControlPoints(), 3 * 11);
+    EXPECT_EQ(solid.material.youngsModulus, 4e6);
+    EXPECT_EQ(solid.material.thickness, 1);
+    EXPECT_TRUE(solid.supports.at(0).fixed[0] && solid.supports.at(0).fixed[1]);
+    EXPECT_EQ(solid.loads.tractions.at(0).traction[0]({0, 0.5, 0}, 0), 50);
     EXPECT_EQ(read.timeSteps->step, 0.01);
     EXPECT_EQ(read.output.interval, 10);
     EXPECT_FALSE(read.coupling);
@@ -106,9 +107,9 @@ TEST(CaseFile, list_of_wrong_length_is_reported) {
 }
 
 TEST(CaseFile, formula_that_cannot_be_read_is_reported_with_its_place) {
-    EXPECT_THAT(mistake("100*y", "100*z"),
-                AllOf(HasSubstr("case.yaml:17:29: loads[0].traction[0]: formula '100*z'"),
-                      HasSubstr("\"z\""), HasSubstr("Variables are x, y [m] and t [s]")));
+    EXPECT_THAT(mistake("100*y", "100*w"),
+                AllOf(HasSubstr("case.yaml:17:29: loads[0].traction[0]: formula '100*w'"),
+                      HasSubstr("\"w\""), HasSubstr("Variables are x, y, z [m] and t [s]")));
     EXPECT_THAT(mistake("100*y", "sin("), HasSubstr("formula 'sin(' cannot be read"));
 }
 
@@ -140,6 +141,18 @@ TEST(CaseFile, entries_that_exclude_each_other_are_reported) {
                 HasSubstr("model.thickness: has no meaning with planeStrain"));
     EXPECT_THAT(mistake("planeStrain", "planeStress"),
                 HasSubstr("model: entry 'thickness' is missing: planeStress needs it"));
+    EXPECT_THAT(mistake("traction: [\"100*y\", 0]", "traction: [0]"),
+                HasSubstr("loads[0].traction: must have 2 values here, but has 1"));
+    EXPECT_THAT(mistake("edge: bottom, ", ""),
+                HasSubstr("supports[0]: entry 'edge' is missing: a plane solid is held there"));
+    EXPECT_THAT(mistake("output:", "coupling: {}\noutput:"),
+                HasSubstr("coupling: entry 'interface' is missing: planeStrain needs"));
+    EXPECT_THAT(
+        mistake("output:", "coupling: {interface: [left], mapping: {type: offset}}\noutput:"),
+        HasSubstr("mapping.type: 'offset' has no meaning with planeStrain, which takes "
+                  "nearestElement"));
+    EXPECT_THAT(mistake("at: [0, 1]", "at: [0]"),
+                HasSubstr("output.watchPoints[0].at: must be [x, y] or [x, y, z]"));
     EXPECT_THAT(mistake("traction: [\"100*y\", 0]", "gravity: [0, -1]"),
                 HasSubstr("loads[0]: give either edge and traction, or gravity alone"));
     EXPECT_THAT(mistake("  step: 0.01\n", "  step: 0.01\n  beta: 0.3\n"),

@@ -1,5 +1,7 @@
+#include "common/errors.hpp"
 #include "exampleSolid.hpp"
 #include "fileSizeLimit.hpp"
+#include "igaStructure/body/PlaneBody.hpp"
 #include "igaStructure/output/OutputFile.hpp"
 #include "igaStructure/output/ResultSeries.hpp"
 #include "igaStructure/output/ResultTable.hpp"
@@ -99,7 +101,7 @@ VectorXd bernstein(int degree, double s) {
 MatrixXd evaluateOnPatch(const geometry::NurbsSurface& surface, const VtuMesh& mesh) {
     MatrixXd values(3, mesh.points.size());
     for (std::size_t k = 0; k < mesh.points.size(); ++k) {
-        values.col(k) = surface.point(mesh.points[k][0], mesh.points[k][1]);
+        values.col(k) = surface.point(mesh.points[k].xi, mesh.points[k].eta);
     }
     return values;
 }
@@ -116,8 +118,8 @@ TEST(VtuMesh, Bezier_cells_are_the_patch_exactly) {
         ASSERT_EQ(mesh.cellSize, nU * (mesh.degrees[1] + 1));
         ASSERT_EQ(mesh.connectivity.size() / mesh.cellSize, 8u);
         for (int cell = 0; cell < 8; ++cell) {
-            const Eigen::Vector2d first = mesh.points[cell * mesh.cellSize];
-            const Eigen::Vector2d last = mesh.points[(cell + 1) * mesh.cellSize - 1];
+            const Place first = mesh.points[cell * mesh.cellSize];
+            const Place last = mesh.points[(cell + 1) * mesh.cellSize - 1];
             const VectorXd b = bernstein(mesh.degrees[0], 0.3);
             const VectorXd c = bernstein(mesh.degrees[1], 0.8);
             Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -128,8 +130,8 @@ TEST(VtuMesh, Bezier_cells_are_the_patch_exactly) {
                 sum += weight * control.col(point);
                 denominator += weight;
             }
-            const Eigen::Vector3d expected = surface.point(first[0] + 0.3 * (last[0] - first[0]),
-                                                           first[1] + 0.8 * (last[1] - first[1]));
+            const Eigen::Vector3d expected = surface.point(
+                first.xi + 0.3 * (last.xi - first.xi), first.eta + 0.8 * (last.eta - first.eta));
             EXPECT_LT((sum / denominator - expected).norm(), 1e-13);
         }
     }
@@ -138,7 +140,10 @@ TEST(VtuMesh, Bezier_cells_are_the_patch_exactly) {
 TEST(VtuMesh, corners_of_Bezier_cells_come_first_and_counter_clockwise) {
     const PlaneSolid solid = makeExample({Kinematics::planeStrain, Strains::linear, false});
     const VtuMesh mesh = bezierMesh(solid.surface());
-    const auto corner = [&](int k) { return mesh.points[mesh.connectivity[k]]; };
+    const auto corner = [&](int k) {
+        const Place& place = mesh.points[mesh.connectivity[k]];
+        return Eigen::Vector2d(place.xi, place.eta);
+    };
     EXPECT_LT((corner(1) - corner(0) - Eigen::Vector2d(0.5, 0)).norm(), 1e-14);
     EXPECT_LT((corner(2) - corner(1) - Eigen::Vector2d(0, 0.25)).norm(), 1e-14);
     EXPECT_LT((corner(3) - corner(0) - Eigen::Vector2d(0, 0.25)).norm(), 1e-14);
@@ -165,15 +170,15 @@ TEST(VtuMesh, quads_cover_the_area_of_the_patch) {
 
 TEST(ResultSeries, lists_the_start_and_each_time_and_writes_nothing_before) {
     const TemporaryDirectory directory;
-    const PlaneSolid solid = makeExample({Kinematics::planeStrain, Strains::linear, false});
+    const PlaneBody body(makeExample({Kinematics::planeStrain, Strains::linear, false}));
     OutputOptions options;
     options.directory = directory.file("results");
     options.fields = {"displacement", "velocity", "acceleration", "stress", "vonMisesStress"};
     options.subdivision = 1;
     MotionState state;
-    state.displacement = VectorXd::Zero(solid.nUnknowns());
+    state.displacement = VectorXd::Zero(body.model().nUnknowns());
     state.velocity = state.acceleration = state.displacement;
-    ResultSeries series(solid, options, "flap", state);
+    ResultSeries series(body, options, "flap", state);
     EXPECT_FALSE(std::filesystem::exists(directory.file("results")));
     state.time = 0.5;
     state.displacement.setConstant(0.25);
@@ -199,4 +204,17 @@ TEST(ResultSeries, lists_the_start_and_each_time_and_writes_nothing_before) {
     EXPECT_NEAR(value[0], 0.25, 1e-15);
     EXPECT_NEAR(value[1], 0.25, 1e-15);
     EXPECT_EQ(value[2], 0);
+}
+
+TEST(ResultSeries, field_that_the_body_does_not_have_is_reported_with_those_it_has) {
+    const PlaneBody body(makeExample({Kinematics::planeStrain, Strains::linear, false}));
+    OutputOptions options;
+    options.fields = {"bendingMoment"};
+    try {
+        ResultSeries(body, options, "flap", {});
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_STREQ(error.what(), "output.fields: this structure has no 'bendingMoment'; it has: "
+                                   "displacement, velocity, acceleration, stress, vonMisesStress");
+    }
 }

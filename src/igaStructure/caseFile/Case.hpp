@@ -1,17 +1,14 @@
 #pragma once
 
-#include "coupling/CouplingOptions.hpp"
-#include "geometry/NurbsSurface.hpp"
+#include "igaStructure/caseFile/Coupling.hpp"
 #include "igaStructure/caseFile/OutputOptions.hpp"
-#include "igaStructure/model/Loads.hpp"
-#include "igaStructure/model/Material.hpp"
-#include "igaStructure/model/Strains.hpp"
-#include "igaStructure/model/Supports.hpp"
+#include "igaStructure/caseFile/PlaneSolidCase.hpp"
 #include "igaStructure/timeIntegration/NewtonOptions.hpp"
 #include "igaStructure/timeIntegration/TimeScheme.hpp"
 
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace tokay::structure {
@@ -22,23 +19,15 @@ struct TimeSteps {
     double end;  ///< [s]
 };
 
-/// Entries of `coupling` in the case file.
-struct Coupling {
-    std::vector<geometry::Edge> interface;
-    double gapLimit; ///< relative to the interface's extent
-    coupling::CouplingOptions options;
-};
+/// Geometry, model, material, supports and loads of one of the kinematics.
+using StructureCase = std::variant<PlaneSolidCase>;
 
 /// All that a case file says, checked and with its defaults.
 struct Case {
     std::string name;
     std::string file;
-    std::string directory;          ///< of the case file; results go below it
-    geometry::NurbsSurface surface; ///< refined
-    Strains strains;
-    Material material;
-    std::vector<Support> supports;
-    Loads loads;
+    std::string directory; ///< of the case file; results go below it
+    StructureCase structure;
     TimeScheme timeScheme;
     std::optional<TimeSteps> timeSteps;
     NewtonOptions newton;

@@ -45,7 +45,7 @@ const char* kindText(Kind kind) {
     case Kind::formulas:
         return "list of numbers or formulas";
     case Kind::points:
-        return "list of [x, y]";
+        return "list of [x, y] or [x, y, z]";
     }
     return "";
 }

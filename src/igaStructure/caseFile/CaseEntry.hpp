@@ -14,12 +14,12 @@ enum class Kind {
     yesNo, ///< yes | no
     word,  ///< one of the allowed words
     text,
-    formula, ///< a number or a formula in x, y, t
+    formula, ///< a number or a formula in x, y, z, t
     numbers, ///< a list of numbers
     integers,
     words,
     formulas,
-    points ///< a list of [x, y]
+    points ///< a list of [x, y] or [x, y, z]
 };
 
 /// Whether an entry must be given.

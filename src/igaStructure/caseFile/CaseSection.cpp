@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cerrno>
 #include <cstring>
@@ -26,6 +27,14 @@ struct CaseSection::Implementation {
         const CaseEntry* entry = findCaseEntry(given.tablePath);
         assert(entry && entry->presence == Presence::defaulted);
         return {given.file, YAML::Load(entry->fallback), given.tablePath, given.path};
+    }
+
+    void requireCount(const std::string& name, std::size_t count) const {
+        const YamlPlace list = value(name);
+        if (list.node.size() != count) {
+            throw list.error(fmt::format("must have {} value{} here, but has {}", count,
+                                         count == 1 ? "" : "s", list.node.size()));
+        }
     }
 
     template <class Read>
@@ -92,6 +101,20 @@ std::vector<std::string> CaseSection::givenNames() const {
     return names;
 }
 
+void CaseSection::require(const std::string& name, const std::string& reason) const {
+    if (!has(name)) {
+        throw error("", fmt::format("entry '{}' is missing: {}", name, reason));
+    }
+}
+
+std::string CaseSection::exactlyOne(const std::vector<std::string>& names) const {
+    const std::vector<std::string> given = givenNames();
+    if (given.size() != 1 || std::find(names.begin(), names.end(), given[0]) == names.end()) {
+        throw error("", fmt::format("give exactly one of: {}", fmt::join(names, ", ")));
+    }
+    return given[0];
+}
+
 double CaseSection::number(const std::string& name) const {
     return readNumber(implementation_->value(name));
 }
@@ -131,6 +154,34 @@ std::vector<Formula> CaseSection::formulas(const std::string& name) const {
 std::vector<std::vector<double>> CaseSection::points(const std::string& name) const {
     return implementation_->values(
         name, [](const YamlPlace& p) { return p.node.as<std::vector<double>>(); });
+}
+
+std::vector<double> CaseSection::numbers(const std::string& name, std::size_t count) const {
+    implementation_->requireCount(name, count);
+    return numbers(name);
+}
+
+std::vector<int> CaseSection::integers(const std::string& name, std::size_t count) const {
+    implementation_->requireCount(name, count);
+    return integers(name);
+}
+
+std::vector<Formula> CaseSection::formulas(const std::string& name, std::size_t count) const {
+    implementation_->requireCount(name, count);
+    return formulas(name);
+}
+
+std::vector<std::string> CaseSection::words(const std::string& name,
+                                            const std::vector<std::string>& allowed,
+                                            const std::string& owner) const {
+    std::vector<std::string> given = words(name);
+    for (const std::string& word : given) {
+        if (std::find(allowed.begin(), allowed.end(), word) == allowed.end()) {
+            throw error(name, fmt::format("'{}' has no meaning for {}; allowed: {}", word, owner,
+                                          fmt::join(allowed, ", ")));
+        }
+    }
+    return given;
 }
 
 CaseSection CaseSection::section(const std::string& name) const {

@@ -34,6 +34,15 @@ class CaseSection {
     /// Names of the entries that the file gives.
     std::vector<std::string> givenNames() const;
 
+    /// Demands an entry that only some kinematics or shapes need.
+    /// @param reason  ends the message
+    /// @throws InputError if the file does not give it
+    void require(const std::string& name, const std::string& reason) const;
+
+    /// The one of the names that the file gives.
+    /// @throws InputError if it gives none of them, or several, or another entry
+    std::string exactlyOne(const std::vector<std::string>& names) const;
+
     double number(const std::string& name) const;
     int integer(const std::string& name) const;
     bool yesNo(const std::string& name) const;
@@ -44,6 +53,18 @@ class CaseSection {
     std::vector<std::string> words(const std::string& name) const;
     std::vector<Formula> formulas(const std::string& name) const;
     std::vector<std::vector<double>> points(const std::string& name) const;
+
+    /// Lists of which a length is wanted that depends on other entries.
+    /// @throws InputError if the list has another one
+    std::vector<double> numbers(const std::string& name, std::size_t count) const;
+    std::vector<int> integers(const std::string& name, std::size_t count) const;
+    std::vector<Formula> formulas(const std::string& name, std::size_t count) const;
+
+    /// @param allowed  of the words of the table, those that
+    /// @param owner    has: "a beam"
+    /// @throws InputError for another one
+    std::vector<std::string> words(const std::string& name, const std::vector<std::string>& allowed,
+                                   const std::string& owner) const;
 
     CaseSection section(const std::string& name) const;
     std::vector<CaseSection> list(const std::string& name) const;

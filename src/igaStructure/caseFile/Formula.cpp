@@ -14,6 +14,7 @@ struct Formula::Implementation {
     std::string where;
     double x = 0;
     double y = 0;
+    double z = 0;
     double t = 0;
     mu::Parser parser;
 
@@ -21,6 +22,7 @@ struct Formula::Implementation {
         : text(theText), where(theWhere) {
         parser.DefineVar("x", &x);
         parser.DefineVar("y", &y);
+        parser.DefineVar("z", &z);
         parser.DefineVar("t", &t);
         parser.DefineConst("pi", M_PI);
         parser.DefineConst("e", M_E);
@@ -28,8 +30,8 @@ struct Formula::Implementation {
     }
 
     InputError error(const mu::Parser::exception_type& exception) const {
-        return InputError(fmt::format("{}formula '{}' cannot be read: {} Variables are x, y [m] "
-                                      "and t [s].",
+        return InputError(fmt::format("{}formula '{}' cannot be read: {} Variables are x, y, z "
+                                      "[m] and t [s].",
                                       where, text, exception.GetMsg()));
     }
 };
@@ -54,9 +56,10 @@ Formula::Formula(Formula&&) noexcept = default;
 Formula& Formula::operator=(Formula&&) noexcept = default;
 Formula::~Formula() = default;
 
-double Formula::operator()(double x, double y, double t) const {
-    implementation_->x = x;
-    implementation_->y = y;
+double Formula::operator()(const geometry::Point& at, double t) const {
+    implementation_->x = at[0];
+    implementation_->y = at[1];
+    implementation_->z = at[2];
     implementation_->t = t;
     double value = 0;
     try {
@@ -65,9 +68,9 @@ double Formula::operator()(double x, double y, double t) const {
         throw implementation_->error(exception);
     }
     if (!std::isfinite(value)) {
-        throw InputError(fmt::format("{}formula '{}' gives {} at x = {}, y = {}, t = {}",
-                                     implementation_->where, implementation_->text, value, x, y,
-                                     t));
+        throw InputError(fmt::format("{}formula '{}' gives {} at x = {}, y = {}, z = {}, t = {}",
+                                     implementation_->where, implementation_->text, value, at[0],
+                                     at[1], at[2], t));
     }
     return value;
 }

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "geometry/Points.hpp"
+
 #include <memory>
 #include <string>
 
 namespace tokay::structure {
 
-/// A number or a formula of the case file in x, y [m] and t [s], e.g.
+/// A number or a formula of the case file in x, y, z [m] and t [s], e.g.
 /// "100*y*sin(2*pi*t)". Functions are muParser's: sin, cos, tan, exp, ln, sqrt,
 /// abs, min, max, a ? b : c, …; pi and e are constants.
 class Formula {
@@ -20,7 +22,7 @@ class Formula {
     ~Formula();
 
     /// @throws InputError if the value is not finite; says where and when
-    double operator()(double x, double y, double t) const;
+    double operator()(const geometry::Point& at, double t) const;
 
     bool dependsOnTime() const;
     const std::string& text() const;

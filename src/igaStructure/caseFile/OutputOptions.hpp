@@ -1,6 +1,7 @@
 #pragma once
 
-#include <array>
+#include "geometry/Points.hpp"
+
 #include <string>
 #include <vector>
 
@@ -9,16 +10,16 @@ namespace tokay::structure {
 /// A place of the body whose motion is tabulated.
 struct WatchPoint {
     std::string name;
-    std::array<double, 2> at = {0, 0}; ///< reference configuration [m]
+    geometry::Point at; ///< reference configuration [m]
 };
 
 enum class CellShape { quads, bezier };
 
 /// Entries of `output` in the case file.
 struct OutputOptions {
-    std::string directory; ///< of .pvd and .vtu, ready to open
-    int interval = 10;     ///< time steps between results, 0: none
-    std::vector<std::string> fields;
+    std::string directory;           ///< of .pvd and .vtu, ready to open
+    int interval = 10;               ///< time steps between results, 0: none
+    std::vector<std::string> fields; ///< empty: the body's default ones
     CellShape cells = CellShape::quads;
     int subdivision = 4;
     std::vector<WatchPoint> watchPoints;

@@ -114,14 +114,42 @@ std::string describeAcceleration(const CouplingOptions& options) {
     return isUsed("filter") ? text + ", filter " + nameOf(options.filter, filters) : text;
 }
 
+const std::map<std::string, TransferMethod> transferMethods = {
+    {"nearestElement", TransferMethod::nearestElement}, {"offset", TransferMethod::offset}};
+
+bool isThin(const std::string& kinematics) {
+    return kinematics != "planeStrain" && kinematics != "planeStress";
+}
+
+void readMapping(const std::string& kinematics, const CaseSection& section, Coupling& coupling) {
+    const CaseSection mapping = section.section("mapping");
+    coupling.method = isThin(kinematics) ? TransferMethod::offset : TransferMethod::nearestElement;
+    coupling.gapLimit = isThin(kinematics) ? 0.1 : 0.01;
+    if (mapping.has("gapLimit")) {
+        coupling.gapLimit = mapping.number("gapLimit");
+    }
+    const std::string type = nameOf(coupling.method, transferMethods);
+    if (mapping.has("type") && mapping.text("type") != type) {
+        throw mapping.error("type", fmt::format("'{}' has no meaning with {}, which takes {}",
+                                                mapping.text("type"), kinematics, type));
+    }
+    if (isThin(kinematics) && section.has("interface")) {
+        throw section.error("interface", fmt::format("has no meaning with {}, all of which is "
+                                                     "wet; remove it",
+                                                     kinematics));
+    }
+    if (!isThin(kinematics)) {
+        section.require("interface", kinematics + " needs the names of its wet edges");
+        coupling.interface = section.words("interface");
+    }
+}
+
 } // namespace
 
-Coupling readCoupling(const CaseSection& section) {
+Coupling readCoupling(const CaseSection& file) {
+    const CaseSection section = file.section("coupling");
     Coupling result;
-    for (const std::string& edge : section.words("interface")) {
-        result.interface.push_back(geometry::edgeFromName(edge));
-    }
-    result.gapLimit = section.section("mapping").number("gapLimit");
+    readMapping(file.section("model").text("kinematics"), section, result);
     result.options.extrapolation = extrapolations.at(section.text("predictor"));
     readAcceleration(section.section("acceleration"), result.options);
     const CaseSection convergence = section.section("convergence");
@@ -137,18 +165,17 @@ Coupling readCoupling(const CaseSection& section) {
 }
 
 std::string describeCoupling(const Coupling& coupling) {
-    std::vector<std::string> edges;
-    for (geometry::Edge edge : coupling.interface) {
-        edges.push_back(geometry::nameOf(edge));
-    }
     const CouplingOptions& options = coupling.options;
-    return fmt::format("coupling: interface {}, nearest element, gap limit {:g}\n"
-                       "  predictor {}\n"
-                       "  acceleration {}\n"
-                       "  absolute displacement {:g} m, relative force {:g}, absolute force {:g}\n",
-                       fmt::join(edges, " "), coupling.gapLimit,
-                       nameOf(options.extrapolation, extrapolations), describeAcceleration(options),
-                       options.absoluteDisplacement, options.relativeForce, options.absoluteForce);
+    return fmt::format(
+        "coupling: interface {}, {}, gap limit {:g}\n"
+        "  predictor {}\n"
+        "  acceleration {}\n"
+        "  absolute displacement {:g} m, relative force {:g}, absolute force {:g}\n",
+        coupling.interface.empty() ? "the whole body"
+                                   : fmt::format("{}", fmt::join(coupling.interface, " ")),
+        coupling.method == TransferMethod::offset ? "offset" : "nearest element", coupling.gapLimit,
+        nameOf(options.extrapolation, extrapolations), describeAcceleration(options),
+        options.absoluteDisplacement, options.relativeForce, options.absoluteForce);
 }
 
 } // namespace tokay::structure

@@ -1,14 +1,15 @@
 #pragma once
 
-#include "igaStructure/caseFile/Case.hpp"
+#include "igaStructure/caseFile/Coupling.hpp"
 
 namespace tokay::structure {
 
 class CaseSection;
 
 /// Reads `coupling` of the case file.
-/// @throws InputError  also for an option that the chosen acceleration does not have
-Coupling readCoupling(const CaseSection& section);
+/// @throws InputError  also for an option that the chosen acceleration or the
+///                     kinematics does not have
+Coupling readCoupling(const CaseSection& file);
 
 /// All options in effect, for a person: several lines.
 std::string describeCoupling(const Coupling& coupling);

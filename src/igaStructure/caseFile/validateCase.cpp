@@ -83,11 +83,12 @@ void requireYesNo(const YamlPlace& place) {
 }
 
 void requirePoint(const YamlPlace& place) {
-    if (!place.node.IsSequence() || place.node.size() != 2) {
-        throw wrongType(place, "[x, y]");
+    if (!place.node.IsSequence() || (place.node.size() != 2 && place.node.size() != 3)) {
+        throw wrongType(place, "[x, y] or [x, y, z]");
     }
-    readNumber(place.item(0));
-    readNumber(place.item(1));
+    for (std::size_t i = 0; i < place.node.size(); ++i) {
+        readNumber(place.item(i));
+    }
 }
 
 void requireScalar(const YamlPlace& place, const CaseEntry& entry) {

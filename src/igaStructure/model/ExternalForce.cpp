@@ -15,7 +15,7 @@ bool dependsOnTime(const std::array<Formula, 2>& formulas) {
 }
 
 Eigen::Vector2d evaluate(const std::array<Formula, 2>& formulas, double x, double y, double time) {
-    return {formulas[0](x, y, time), formulas[1](x, y, time)};
+    return {formulas[0]({x, y, 0}, time), formulas[1]({x, y, 0}, time)};
 }
 
 } // namespace

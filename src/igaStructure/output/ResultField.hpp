@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 
 #include <string>
-#include <vector>
 
 namespace tokay::structure {
 
@@ -12,8 +11,5 @@ struct ResultField {
     std::string name;
     Eigen::MatrixXd values;
 };
-
-/// Parameters (xi, eta) of a point of a patch.
-using Parameters = Eigen::Vector2d;
 
 } // namespace tokay::structure

@@ -1,9 +1,6 @@
 #pragma once
 
-#include "igaStructure/caseFile/OutputOptions.hpp"
-#include "igaStructure/model/PlaneSolid.hpp"
-#include "igaStructure/output/VtuMesh.hpp"
-#include "igaStructure/timeIntegration/TimeIntegrator.hpp"
+#include "igaStructure/body/Body.hpp"
 
 #include <optional>
 
@@ -14,10 +11,11 @@ namespace tokay::structure {
 /// before the first result; it brings the state at the start with it.
 class ResultSeries {
   public:
-    /// @param solid  is kept by reference
+    /// @param body   is kept by reference
     /// @param name   of the .pvd file, begins the names of the .vtu files
     /// @param start  state at the start of the run
-    ResultSeries(const PlaneSolid& solid, const OutputOptions& options, std::string name,
+    /// @throws InputError for a field that the body does not have
+    ResultSeries(const Body& body, const OutputOptions& options, std::string name,
                  const MotionState& start);
 
     /// @throws OutputError
@@ -27,11 +25,11 @@ class ResultSeries {
     void addFile(const MotionState& state);
     void writePvd() const;
 
-    const PlaneSolid& solid_;
-    OutputOptions options_;
+    const Body& body_;
+    std::string directory_;
+    std::vector<std::string> fields_;
     std::string name_;
-    VtuMesh mesh_;
-    Eigen::MatrixXd referencePositions_;
+    std::vector<VtuMesh> meshes_;
     std::optional<MotionState> start_; ///< until written
     struct Entry {
         double time;

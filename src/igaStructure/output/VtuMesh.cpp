@@ -12,16 +12,16 @@ constexpr std::uint8_t vtkQuad = 9;
 constexpr std::uint8_t vtkBezierQuadrilateral = 77;
 
 // A grid of (nU + 1) x (nV + 1) points on each element, xi fastest.
-std::vector<Parameters> gridPoints(const geometry::NurbsSurface& surface, int nU, int nV) {
+std::vector<Place> gridPoints(const geometry::NurbsSurface& surface, int nU, int nV, int patch) {
     const std::vector<double>& xi = surface.u().breakpoints();
     const std::vector<double>& eta = surface.v().breakpoints();
-    std::vector<Parameters> points;
+    std::vector<Place> points;
     for (std::size_t spanV = 0; spanV + 1 < eta.size(); ++spanV) {
         for (std::size_t spanU = 0; spanU + 1 < xi.size(); ++spanU) {
             for (int j = 0; j <= nV; ++j) {
                 for (int i = 0; i <= nU; ++i) {
-                    points.emplace_back(xi[spanU] + (xi[spanU + 1] - xi[spanU]) * i / nU,
-                                        eta[spanV] + (eta[spanV + 1] - eta[spanV]) * j / nV);
+                    points.push_back({patch, xi[spanU] + (xi[spanU + 1] - xi[spanU]) * i / nU,
+                                      eta[spanV] + (eta[spanV + 1] - eta[spanV]) * j / nV, 0});
                 }
             }
         }
@@ -82,10 +82,10 @@ Eigen::MatrixXd toBernstein(const VtuMesh& mesh, const Eigen::MatrixXd& values) 
 
 } // namespace
 
-VtuMesh quadMesh(const geometry::NurbsSurface& surface, int subdivision) {
+VtuMesh quadMesh(const geometry::NurbsSurface& surface, int subdivision, int patch) {
     VtuMesh mesh;
     mesh.cellType = vtkQuad;
-    mesh.points = gridPoints(surface, subdivision, subdivision);
+    mesh.points = gridPoints(surface, subdivision, subdivision, patch);
     const int rowLength = subdivision + 1;
     const auto nPoints = static_cast<int>(mesh.points.size());
     for (int first = 0; first < nPoints; first += rowLength * rowLength) {
@@ -101,14 +101,14 @@ VtuMesh quadMesh(const geometry::NurbsSurface& surface, int subdivision) {
     return mesh;
 }
 
-VtuMesh bezierMesh(const geometry::NurbsSurface& surface) {
+VtuMesh bezierMesh(const geometry::NurbsSurface& surface, int patch) {
     VtuMesh mesh;
     const int p = surface.u().degree();
     const int q = surface.v().degree();
     mesh.cellType = vtkBezierQuadrilateral;
     mesh.degrees = {p, q};
     mesh.cellSize = (p + 1) * (q + 1);
-    mesh.points = gridPoints(surface, p, q);
+    mesh.points = gridPoints(surface, p, q, patch);
     mesh.toBernsteinXi = bernsteinInverse(p);
     mesh.toBernsteinEta = bernsteinInverse(q);
     const auto nPoints = static_cast<int>(mesh.points.size());
@@ -128,7 +128,7 @@ VtuMesh bezierMesh(const geometry::NurbsSurface& surface) {
             surface.u(), surface.v(),
             geometry::Points(surface.weights() * Eigen::RowVector3d(1, 0, 0)));
         for (int k = 0; k < nPoints; ++k) {
-            weight(0, k) = denominator.point(mesh.points[k][0], mesh.points[k][1])[0];
+            weight(0, k) = denominator.point(mesh.points[k].xi, mesh.points[k].eta)[0];
         }
         mesh.weights = toBernstein(mesh, weight).row(0).transpose();
         mesh.denominators = weight.row(0).transpose();

@@ -1,15 +1,16 @@
 #pragma once
 
 #include "geometry/NurbsSurface.hpp"
-#include "igaStructure/output/ResultField.hpp"
+#include "igaStructure/body/Place.hpp"
 
 #include <cstdint>
+#include <vector>
 
 namespace tokay::structure {
 
-/// Cells of a .vtu file and the places of a patch where its points lie.
+/// Cells of one kind of a .vtu file, and the places of a body where its points lie.
 struct VtuMesh {
-    std::vector<Parameters> points; ///< where fields are evaluated
+    std::vector<Place> points; ///< where fields are evaluated
     std::vector<std::int64_t> connectivity;
     int cellSize = 4; ///< points a cell
     std::uint8_t cellType = 9;
@@ -28,11 +29,11 @@ struct VtuMesh {
 
 /// Each element of the patch cut into subdivision x subdivision quadrilaterals.
 /// Elements do not share points, so that a field may jump between them.
-VtuMesh quadMesh(const geometry::NurbsSurface& surface, int subdivision);
+VtuMesh quadMesh(const geometry::NurbsSurface& surface, int subdivision, int patch = 0);
 
 /// A VTK_BEZIER_QUADRILATERAL for each element, exact for the geometry and for
 /// fields of the patch's own basis, interpolating for others.
-VtuMesh bezierMesh(const geometry::NurbsSurface& surface);
+VtuMesh bezierMesh(const geometry::NurbsSurface& surface, int patch = 0);
 
 /// What the file says at a mesh's points: the values of a field, or for Bezier
 /// cells its control values.

@@ -73,24 +73,30 @@ std::string describeCellData(const VtuMesh& mesh, std::size_t nCells, AppendedAr
            arrays.announce("HigherOrderDegrees", degrees) + "      </CellData>\n";
 }
 
+std::string describePiece(const VtuPiece& piece, AppendedArrays& arrays) {
+    const VtuMesh& mesh = piece.mesh;
+    const std::size_t nCells = mesh.connectivity.size() / mesh.cellSize;
+    std::string text = fmt::format("    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
+                                   mesh.points.size(), nCells);
+    text += describePointData(mesh, piece.fields, arrays);
+    text += describeCellData(mesh, nCells, arrays);
+    text += "      <Points>\n" + arrays.announce("Points", fileValues(mesh, piece.positions)) +
+            "      </Points>\n";
+    return text + describeCells(mesh, nCells, arrays) + "    </Piece>\n";
+}
+
 } // namespace
 
-void writeVtu(const std::string& path, const VtuMesh& mesh, const Eigen::MatrixXd& positions,
-              const std::vector<ResultField>& fields) {
+void writeVtu(const std::string& path, const std::vector<VtuPiece>& pieces) {
     AppendedArrays arrays;
-    const std::size_t nCells = mesh.connectivity.size() / mesh.cellSize;
-    std::string text = fmt::format(
-        "<?xml version=\"1.0\"?>\n"
-        "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-        "header_type=\"UInt64\">\n  <UnstructuredGrid>\n"
-        "    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
-        mesh.points.size(), nCells);
-    text += describePointData(mesh, fields, arrays);
-    text += describeCellData(mesh, nCells, arrays);
-    text += "      <Points>\n" + arrays.announce("Points", fileValues(mesh, positions)) +
-            "      </Points>\n";
-    text += describeCells(mesh, nCells, arrays);
-    text += "    </Piece>\n  </UnstructuredGrid>\n  <AppendedData encoding=\"raw\">\n_";
+    std::string text = "<?xml version=\"1.0\"?>\n"
+                       "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
+                       "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
+                       "  <UnstructuredGrid>\n";
+    for (const VtuPiece& piece : pieces) {
+        text += describePiece(piece, arrays);
+    }
+    text += "  </UnstructuredGrid>\n  <AppendedData encoding=\"raw\">\n_";
     OutputFile file(path);
     file.write(text);
     file.write(arrays.data());

@@ -2,12 +2,13 @@
 
 #include "common/errors.hpp"
 #include "coupling/PeerError.hpp"
+#include "igaStructure/body/makeBody.hpp"
 #include "igaStructure/caseFile/readCase.hpp"
 #include "igaStructure/caseFile/readCoupling.hpp"
 #include "igaStructure/run/CoupledStructure.hpp"
 #include "igaStructure/run/FluidLink.hpp"
 #include "igaStructure/run/PrescribedStructure.hpp"
-#include "igaStructure/run/StructureSetup.hpp"
+#include "igaStructure/run/describeModel.hpp"
 
 #include <fmt/format.h>
 
@@ -31,10 +32,10 @@ class Session {
     Session(const Case& structureCase, FluidLink& link, const CoupledRunOptions& options,
             Report report)
         : case_(structureCase), link_(link), options_(options), report_(std::move(report)),
-          solid_(makeModel(structureCase)) {}
+          body_(makeBody(structureCase)) {}
 
     void run() {
-        report_(describeModel(case_, solid_));
+        report_(describeModel(case_, *body_));
         start();
         while (const std::optional<BeginStep> begin = nextStep()) {
             advance(*begin);
@@ -52,7 +53,7 @@ class Session {
     FluidLink& link_;
     const CoupledRunOptions& options_;
     Report report_;
-    PlaneSolid solid_;
+    std::unique_ptr<Body> body_;
     PhaseTimer timer_;
     std::optional<WetBoundary> boundary_;
     std::unique_ptr<StructureSide> structure_;
@@ -81,14 +82,14 @@ std::string describeInterface(const Interface& fluid, const WetBoundary& boundar
 
 void Session::start() {
     const Interface fluid = link_.receive<Interface>("the fluid's interface");
-    boundary_.emplace(solid_, *case_.coupling, fluid);
+    boundary_.emplace(*body_, *case_.coupling, fluid);
     requireStartFromRest(fluid);
     if (options_.replayFile.empty()) {
         structure_ =
-            std::make_unique<CoupledStructure>(case_, solid_, *boundary_, fluid, timer_, report_);
+            std::make_unique<CoupledStructure>(case_, *body_, *boundary_, fluid, timer_, report_);
     } else {
         structure_ = std::make_unique<PrescribedStructure>(
-            DisplacementRecord(options_.replayFile, 2 * boundary_->nPoints()), report_);
+            DisplacementRecord(options_.replayFile, boundary_->nComponents()), report_);
     }
     if (!options_.recordFile.empty()) {
         recorder_.emplace(options_.recordFile);
@@ -100,7 +101,7 @@ void Session::start() {
                 "are not used\n";
     }
     report_(text);
-    link_.send(coupling::Accepted{describeModel(case_, solid_) + text});
+    link_.send(coupling::Accepted{describeModel(case_, *body_) + text});
 }
 
 // The next step, or none if the fluid says goodbye.

@@ -2,14 +2,14 @@
 
 namespace tokay::structure {
 
-CoupledStructure::CoupledStructure(const Case& structureCase, PlaneSolid& solid,
+CoupledStructure::CoupledStructure(const Case& structureCase, Body& body,
                                    const WetBoundary& boundary, const coupling::Interface& fluid,
                                    PhaseTimer& timer, Report report)
     : boundary_(boundary), timer_(timer),
-      integrator_(solid, structureCase.timeScheme, structureCase.newton, fluid.startTime),
+      integrator_(body.model(), structureCase.timeScheme, structureCase.newton, fluid.startTime),
       driver_(structureCase.coupling->options, fluid.tolerance,
-              Eigen::VectorXd::Zero(2 * boundary.nPoints())),
-      output_(structureCase, solid, integrator_.state(), fluid.endTime, std::move(report)) {}
+              Eigen::VectorXd::Zero(boundary.nComponents())),
+      output_(structureCase, body, integrator_.state(), fluid.endTime, std::move(report)) {}
 
 Eigen::VectorXd CoupledStructure::beginTimeStep(int step, double time, double deltaT) {
     report_ = {};
@@ -19,8 +19,8 @@ Eigen::VectorXd CoupledStructure::beginTimeStep(int step, double time, double de
 }
 
 Eigen::VectorXd CoupledStructure::solve(const std::vector<double>& forces) {
-    const Eigen::VectorXd force =
-        timer_.time(Phase::mapping, [&] { return boundary_.forces(forces); });
+    const Eigen::VectorXd force = timer_.time(
+        Phase::mapping, [&] { return boundary_.forces(forces, integrator_.displacement()); });
     timer_.time(Phase::solving, [&] { integrator_.solve(force); });
     ++report_.nExchanges;
     report_.nIterations += integrator_.nIterations();

@@ -11,7 +11,7 @@ namespace tokay::structure {
 class CoupledStructure : public StructureSide {
   public:
     /// @param timer  is kept by reference
-    CoupledStructure(const Case& structureCase, PlaneSolid& solid, const WetBoundary& boundary,
+    CoupledStructure(const Case& structureCase, Body& body, const WetBoundary& boundary,
                      const coupling::Interface& fluid, PhaseTimer& timer, Report report);
 
     Eigen::VectorXd beginTimeStep(int step, double time, double deltaT) override;

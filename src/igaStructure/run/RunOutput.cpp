@@ -37,10 +37,10 @@ std::string duration(double seconds) {
 
 } // namespace
 
-RunOutput::RunOutput(const Case& structureCase, const PlaneSolid& solid, const MotionState& start,
+RunOutput::RunOutput(const Case& structureCase, const Body& body, const MotionState& start,
                      double endTime, Report report)
-    : watch_(solid, structureCase.output.watchPoints),
-      results_(solid, structureCase.output, structureCase.name, start),
+    : watch_(body, structureCase.output.watchPoints),
+      results_(body, structureCase.output, structureCase.name, start),
       watchTable_(tablePath(structureCase, start.time, "watchPoints"), withTime(watch_.columns())),
       iterationTable_(tablePath(structureCase, start.time, "iterations"),
                       {"time[s]", "exchanges", "firstResidual", "lastResidual", "columns",

@@ -6,6 +6,7 @@
 #include "igaStructure/run/PhaseTimer.hpp"
 #include "igaStructure/run/StepReport.hpp"
 #include "igaStructure/run/Watch.hpp"
+#include "igaStructure/timeIntegration/TimeIntegrator.hpp"
 
 namespace tokay::structure {
 
@@ -14,9 +15,10 @@ namespace tokay::structure {
 class RunOutput {
   public:
     /// @param endTime  for the time to go [s]
-    /// @throws InputError for a watch point that is not on the body
-    RunOutput(const Case& structureCase, const PlaneSolid& solid, const MotionState& start,
-              double endTime, Report report);
+    /// @throws InputError for a watch point that is not on the body, or a field that it does not
+    /// have
+    RunOutput(const Case& structureCase, const Body& body, const MotionState& start, double endTime,
+              Report report);
 
     /// Reports an accepted step and resets the timer.
     /// @param writeResults  also the .vtu and .pvd files

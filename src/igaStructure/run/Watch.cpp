@@ -1,8 +1,6 @@
 #include "igaStructure/run/Watch.hpp"
 
 #include "common/errors.hpp"
-#include "geometry/SurfaceProjector.hpp"
-#include "igaStructure/output/sampleFields.hpp"
 
 #include <fmt/format.h>
 
@@ -13,41 +11,43 @@ namespace {
 // A coordinate typed by a person has some digits only.
 constexpr double relativeTolerance = 1e-6;
 
+std::string coordinates(const Eigen::VectorXd& x) {
+    return fmt::format("{:.6g}", fmt::join(x.begin(), x.end(), ", "));
+}
+
 } // namespace
 
-Watch::Watch(const PlaneSolid& solid, const std::vector<WatchPoint>& points) {
-    if (points.empty()) {
-        return;
-    }
-    const geometry::SurfaceProjector projector(solid.surface());
+Watch::Watch(const Body& body, const std::vector<WatchPoint>& points) : body_(body) {
     for (const WatchPoint& point : points) {
-        const geometry::SurfaceProjection place = projector.closest({point.at[0], point.at[1], 0});
-        if (place.distance > relativeTolerance * solid.size()) {
-            const geometry::Point nearest = solid.surface().point(place.xi, place.eta);
-            throw InputError(fmt::format("output.watchPoints: '{}' at [{}, {}] lies {:.4g} m "
-                                         "outside the body; its nearest point is [{:.6g}, {:.6g}]",
-                                         point.name, point.at[0], point.at[1], place.distance,
-                                         nearest[0], nearest[1]));
+        const Body::Closest found = body.closest(point.at);
+        if (found.distance > relativeTolerance * body.model().size()) {
+            const Eigen::VectorXd nearest = body.positions({found.place}).col(0);
+            throw InputError(fmt::format("output.watchPoints: '{}' at [{}] lies {:.4g} m "
+                                         "outside the body; its nearest point is [{}]",
+                                         point.name, coordinates(point.at.head(body.dimension())),
+                                         found.distance,
+                                         coordinates(nearest.head(body.dimension()))));
         }
         names_.push_back(point.name);
-        bases_.push_back(solid.surface().basis(place.xi, place.eta, 0));
+        places_.push_back(found.place);
     }
 }
 
 std::vector<std::string> Watch::columns() const {
     std::vector<std::string> columns;
     for (const std::string& name : names_) {
-        columns.push_back(name + ".x[m]");
-        columns.push_back(name + ".y[m]");
+        for (int c = 0; c < body_.dimension(); ++c) {
+            columns.push_back(fmt::format("{}.{}[m]", name, "xyz"[c]));
+        }
     }
     return columns;
 }
 
 std::vector<double> Watch::values(const Eigen::VectorXd& displacement) const {
+    const Eigen::MatrixXd all = body_.displacements(displacement, places_);
     std::vector<double> values;
-    for (const geometry::SurfaceBasis& basis : bases_) {
-        const Eigen::Vector2d u = evaluateField(basis, displacement);
-        values.insert(values.end(), {u[0], u[1]});
+    for (Eigen::Index k = 0; k < all.cols(); ++k) {
+        values.insert(values.end(), all.col(k).data(), all.col(k).data() + body_.dimension());
     }
     return values;
 }
@@ -56,8 +56,8 @@ std::string Watch::text(const Eigen::VectorXd& displacement) const {
     if (isEmpty()) {
         return "";
     }
-    const Eigen::Vector2d u = evaluateField(bases_[0], displacement);
-    return fmt::format("{} ({:.6g}, {:.6g}) m", names_[0], u[0], u[1]);
+    const Eigen::VectorXd u = body_.displacements(displacement, {places_[0]}).col(0);
+    return fmt::format("{} ({}) m", names_[0], coordinates(u.head(body_.dimension())));
 }
 
 } // namespace tokay::structure

@@ -1,15 +1,15 @@
 #pragma once
 
-#include "igaStructure/caseFile/OutputOptions.hpp"
-#include "igaStructure/model/PlaneSolid.hpp"
+#include "igaStructure/body/Body.hpp"
 
 namespace tokay::structure {
 
 /// The watch points of a case, found on the body.
 class Watch {
   public:
+    /// @param body  is kept by reference
     /// @throws InputError for a point that is not on the body
-    Watch(const PlaneSolid& solid, const std::vector<WatchPoint>& points);
+    Watch(const Body& body, const std::vector<WatchPoint>& points);
 
     bool isEmpty() const { return names_.empty(); }
 
@@ -23,8 +23,9 @@ class Watch {
     std::string text(const Eigen::VectorXd& displacement) const;
 
   private:
+    const Body& body_;
     std::vector<std::string> names_;
-    std::vector<geometry::SurfaceBasis> bases_;
+    std::vector<Place> places_;
 };
 
 } // namespace tokay::structure

@@ -15,23 +15,28 @@ using geometry::Points;
 
 namespace {
 
-using Pairs = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
+using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-// That its arrays fit each other was checked when the message arrived.
-void requirePlane(const Interface& fluid) {
-    if (fluid.dimension != 2) {
-        throw InputError(fmt::format(
-            "the fluid's interface has {} dimensions, but planeStrain and planeStress need 2: the "
-            "fluid's mesh must be one cell thick with 'empty' front and back",
-            fluid.dimension));
+void requireDimension(const Body& body, const Interface& fluid) {
+    if (fluid.dimension == static_cast<std::uint32_t>(body.dimension())) {
+        return;
     }
+    throw InputError(fmt::format(
+        "the fluid's interface has {} dimensions, but the structure's kinematics needs {}{}",
+        fluid.dimension, body.dimension(),
+        body.dimension() == 2
+            ? ": the fluid's mesh must be one cell thick with 'empty' front and back"
+            : ""));
 }
 
-Points readPoints(const Interface& fluid) {
-    requirePlane(fluid);
-    const Eigen::Map<const Pairs> given(fluid.points.data(), fluid.points.size() / 2, 2);
+// That its arrays fit each other was checked when the message arrived.
+Points readPoints(const Body& body, const Interface& fluid) {
+    requireDimension(body, fluid);
+    const int dimension = body.dimension();
+    const Eigen::Map<const Rows> given(fluid.points.data(), fluid.points.size() / dimension,
+                                       dimension);
     Points points = Points::Zero(given.rows(), 3);
-    points.leftCols<2>() = given;
+    points.leftCols(dimension) = given;
     return points;
 }
 
@@ -51,52 +56,39 @@ Points meansOfFaces(const Interface& fluid, const Points& points) {
     return centres;
 }
 
-mapper::SplineInterface wetEdges(const PlaneSolid& solid,
-                                 const std::vector<geometry::Edge>& edges) {
-    std::vector<mapper::SplinePiece> pieces;
-    for (geometry::Edge edge : edges) {
-        geometry::BoundaryCurve boundary = solid.surface().boundaryCurve(edge);
-        pieces.push_back(
-            {std::move(boundary.curve), std::move(boundary.controlPoints), geometry::nameOf(edge)});
-    }
-    return {std::move(pieces), solid.surface().nControlPoints()};
+std::string text(const Eigen::VectorXd& components) {
+    return fmt::format("({:.6g})", fmt::join(components, ", "));
 }
 
 } // namespace
 
-WetBoundary::WetBoundary(const PlaneSolid& solid, const Coupling& coupling, const Interface& fluid)
-    : thickness_(solid.material().thickness), points_(readPoints(fluid)),
-      faceCentres_(meansOfFaces(fluid, points_)), spline_(wetEdges(solid, coupling.interface)),
-      toPoints_(spline_, points_, {coupling.gapLimit, true}),
-      toFaces_(spline_, faceCentres_, {coupling.gapLimit, true}) {}
+WetBoundary::WetBoundary(const Body& body, const Coupling& coupling, const Interface& fluid)
+    : dimension_(body.dimension()), points_(readPoints(body, fluid)),
+      faceCentres_(meansOfFaces(fluid, points_)),
+      transfer_(body.transfer(coupling, points_, faceCentres_)) {}
 
-Eigen::VectorXd WetBoundary::displacements(const Eigen::VectorXd& ofUnknowns) const {
-    const Eigen::Map<const Pairs> controlValues(ofUnknowns.data(), ofUnknowns.size() / 2, 2);
-    const Pairs values = toPoints_.apply(controlValues);
+Eigen::VectorXd WetBoundary::displacements(const Eigen::VectorXd& displacement) const {
+    const Rows values = transfer_->displacements(displacement).leftCols(dimension_);
     return Eigen::Map<const Eigen::VectorXd>(values.data(), values.size());
 }
 
-Eigen::VectorXd WetBoundary::forces(const std::vector<double>& onFaces) const {
-    if (onFaces.size() != 2 * static_cast<std::size_t>(nFaces())) {
+Eigen::VectorXd WetBoundary::forces(const std::vector<double>& onFaces,
+                                    const Eigen::VectorXd& displacement) const {
+    if (onFaces.size() != static_cast<std::size_t>(dimension_) * nFaces()) {
         throw PeerError(fmt::format("the fluid sent {} force components for {} faces",
                                     onFaces.size(), nFaces()));
     }
-    const Eigen::Map<const Pairs> given(onFaces.data(), nFaces(), 2);
+    const Eigen::Map<const Rows> given(onFaces.data(), nFaces(), dimension_);
     for (int face = 0; face < nFaces(); ++face) {
         if (!given.row(face).allFinite()) {
-            throw PeerError(fmt::format("the fluid's force on face {} at ({:.6g}, {:.6g}) is not "
-                                        "finite: ({}, {}); the flow has diverged",
-                                        face, faceCentres_(face, 0), faceCentres_(face, 1),
-                                        given(face, 0), given(face, 1)));
+            throw PeerError(fmt::format(
+                "the fluid's force on face {} at {} is not finite: {}; the flow has diverged", face,
+                text(faceCentres_.row(face).head(dimension_)), text(given.row(face))));
         }
     }
-    const Pairs values = thickness_ * toFaces_.applyTransposed(given);
-    return Eigen::Map<const Eigen::VectorXd>(values.data(), values.size());
-}
-
-std::string WetBoundary::report() const {
-    return "displacements at the fluid's points, " + toPoints_.report().text() +
-           "forces from the fluid's faces, " + toFaces_.report().text();
+    Points forces = Points::Zero(nFaces(), 3);
+    forces.leftCols(dimension_) = given;
+    return transfer_->forces(displacement, forces);
 }
 
 } // namespace tokay::structure

@@ -1,45 +1,43 @@
 #pragma once
 
 #include "coupling/messages.hpp"
-#include "igaStructure/caseFile/Case.hpp"
-#include "igaStructure/model/PlaneSolid.hpp"
-#include "mapper/NearestElementMapping.hpp"
-#include "mapper/SplineInterface.hpp"
+#include "igaStructure/body/Body.hpp"
+#include "igaStructure/caseFile/Coupling.hpp"
 
 #include <Eigen/Core>
 
 namespace tokay::structure {
 
-/// The structure's wet edges and their transfer to and from the fluid's
-/// interface: displacements to its points, forces from its faces.
+/// The fluid's interface as the structure sees it: takes vectors of the
+/// channel, checks them, and transfers them to and from the body.
 class WetBoundary {
   public:
     /// @throws InputError if the two sides do not fit: dimension, gap
-    WetBoundary(const PlaneSolid& solid, const Coupling& coupling,
-                const coupling::Interface& fluid);
+    WetBoundary(const Body& body, const Coupling& coupling, const coupling::Interface& fluid);
 
     int nPoints() const { return static_cast<int>(points_.rows()); }
     int nFaces() const { return static_cast<int>(faceCentres_.rows()); }
+    /// Of displacements(): dimension times nPoints().
+    int nComponents() const { return dimension_ * nPoints(); }
 
-    /// Displacements of the fluid's points, 2 nPoints [m].
-    Eigen::VectorXd displacements(const Eigen::VectorXd& ofUnknowns) const;
+    /// Displacements of the fluid's points, point after point [m].
+    Eigen::VectorXd displacements(const Eigen::VectorXd& displacement) const;
 
     /// Forces on the structure's unknowns; same sum and virtual work.
-    /// @param onFaces  2 nFaces, per unit depth [N/m]
-    /// @return  on the structure's whole thickness [N]
+    /// @param onFaces       face after face [N]; a plane scene: per unit depth [N/m]
+    /// @param displacement  of the structure, at which a thin body's sections stand
     /// @throws  coupling::PeerError that names the face whose force is not finite
-    Eigen::VectorXd forces(const std::vector<double>& onFaces) const;
+    Eigen::VectorXd forces(const std::vector<double>& onFaces,
+                           const Eigen::VectorXd& displacement) const;
 
     /// Both mappings' reports.
-    std::string report() const;
+    std::string report() const { return transfer_->report(); }
 
   private:
-    double thickness_;
+    int dimension_;
     geometry::Points points_;
     geometry::Points faceCentres_;
-    mapper::SplineInterface spline_;
-    mapper::NearestElementMapping toPoints_;
-    mapper::NearestElementMapping toFaces_;
+    std::unique_ptr<InterfaceTransfer> transfer_;
 };
 
 } // namespace tokay::structure

@@ -1,8 +1,10 @@
 #include "igaStructure/run/checkCase.hpp"
 
+#include "igaStructure/body/makeBody.hpp"
 #include "igaStructure/caseFile/readCoupling.hpp"
-#include "igaStructure/run/StructureSetup.hpp"
+#include "igaStructure/output/chosenFields.hpp"
 #include "igaStructure/run/Watch.hpp"
+#include "igaStructure/run/describeModel.hpp"
 #include "igaStructure/timeIntegration/TimeIntegrator.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +25,7 @@ std::string describeUse(const Case& structureCase) {
     return text;
 }
 
-std::string warnings(const Case& structureCase, const PlaneSolid& solid) {
+std::string warnings(const Case& structureCase, const Body& body) {
     std::string text;
     if (!structureCase.coupling && !structureCase.timeSteps) {
         text += "warning: there is neither coupling nor time.step and time.end: it cannot run\n";
@@ -32,7 +34,7 @@ std::string warnings(const Case& structureCase, const PlaneSolid& solid) {
         text += "note: a coupled run takes time steps and end from the fluid; time.step and "
                 "time.end are for a run alone\n";
     }
-    const std::vector<std::string> free = solid.freeRigidMotions();
+    const std::vector<std::string> free = body.model().freeRigidMotions();
     if (!free.empty()) {
         text += fmt::format("warning: supports do not prevent: {}\n", fmt::join(free, ", "));
     }
@@ -46,14 +48,16 @@ std::string warnings(const Case& structureCase, const PlaneSolid& solid) {
 } // namespace
 
 std::string checkCase(const Case& structureCase) {
-    PlaneSolid solid = makeModel(structureCase);
-    const Watch watch(solid, structureCase.output.watchPoints);
-    const TimeIntegrator integrator(solid, structureCase.timeScheme, structureCase.newton, 0);
-    return describeModel(structureCase, solid) +
+    const std::unique_ptr<Body> body = makeBody(structureCase);
+    const Watch watch(*body, structureCase.output.watchPoints);
+    chosenFields(*body, structureCase.output);
+    const TimeIntegrator integrator(body->model(), structureCase.timeScheme, structureCase.newton,
+                                    0);
+    return describeModel(structureCase, *body) +
            fmt::format("  memory: {:.3g} MB for matrices, {:.3g} million entries in the factor\n",
                        integrator.bytes() / 1e6, integrator.solver().nFactorEntries() / 1e6) +
            fmt::format("  linear algebra: CHOLMOD on {}\n", blasLibrary()) +
-           describeUse(structureCase) + warnings(structureCase, solid);
+           describeUse(structureCase) + warnings(structureCase, *body);
 }
 
 } // namespace tokay::structure

@@ -1,9 +1,10 @@
 #include "igaStructure/run/runAlone.hpp"
 
 #include "common/errors.hpp"
+#include "igaStructure/body/makeBody.hpp"
 #include "igaStructure/run/Interruption.hpp"
 #include "igaStructure/run/RunOutput.hpp"
-#include "igaStructure/run/StructureSetup.hpp"
+#include "igaStructure/run/describeModel.hpp"
 
 #include <cmath>
 
@@ -32,10 +33,10 @@ StepReport describeStep(int step, const TimeIntegrator& integrator) {
 
 void runAlone(const Case& structureCase, const Report& report) {
     const TimeSteps steps = requireTimeSteps(structureCase);
-    PlaneSolid solid = makeModel(structureCase);
-    report(describeModel(structureCase, solid));
-    TimeIntegrator integrator(solid, structureCase.timeScheme, structureCase.newton, 0);
-    RunOutput output(structureCase, solid, integrator.state(), steps.end, report);
+    const std::unique_ptr<Body> body = makeBody(structureCase);
+    report(describeModel(structureCase, *body));
+    TimeIntegrator integrator(body->model(), structureCase.timeScheme, structureCase.newton, 0);
+    RunOutput output(structureCase, *body, integrator.state(), steps.end, report);
     PhaseTimer timer;
     // A rest shorter than rounding error is no step.
     const int nSteps = static_cast<int>(std::ceil(steps.end / steps.step * (1 - 1e-12)));

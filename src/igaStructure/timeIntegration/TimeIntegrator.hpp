@@ -2,6 +2,7 @@
 
 #include "igaStructure/linearAlgebra/SparseCholesky.hpp"
 #include "igaStructure/model/StructuralModel.hpp"
+#include "igaStructure/timeIntegration/MotionState.hpp"
 #include "igaStructure/timeIntegration/NewtonOptions.hpp"
 #include "igaStructure/timeIntegration/TimeScheme.hpp"
 
@@ -10,15 +11,6 @@
 #include <optional>
 
 namespace tokay::structure {
-
-/// Motion of a structure at one time.
-struct MotionState {
-    double time = 0;              ///< [s]
-    Eigen::VectorXd displacement; ///< [m]
-    Eigen::VectorXd velocity;     ///< [m/s]
-    Eigen::VectorXd acceleration; ///< [m/s^2]
-    Eigen::VectorXd force;        ///< external, interface included [N]
-};
 
 /// Energies of a structure [J], per unit depth where its forces are.
 struct Energies {

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "igaStructure/body/InterfaceTransfer.hpp"
+#include "igaStructure/caseFile/Coupling.hpp"
+#include "igaStructure/model/PlaneSolid.hpp"
+#include "mapper/NearestElementMapping.hpp"
+#include "mapper/SplineInterface.hpp"
+
+namespace tokay::structure {
+
+/// Transfer at the wet edges of a plane solid: the spline at the closest points.
+class PlaneTransfer : public InterfaceTransfer {
+  public:
+    /// @throws InputError if a gap is beyond the limit
+    PlaneTransfer(const PlaneSolid& solid, const Coupling& coupling, const geometry::Points& points,
+                  const geometry::Points& faceCentres);
+
+    geometry::Points displacements(const Eigen::VectorXd& displacement) const override;
+    Eigen::VectorXd forces(const Eigen::VectorXd& displacement,
+                           const geometry::Points& onFaces) const override;
+    std::string report() const override;
+
+  private:
+    double thickness_;
+    mapper::SplineInterface spline_;
+    mapper::NearestElementMapping toPoints_;
+    mapper::NearestElementMapping toFaces_;
+};
+
+} // namespace tokay::structure

@@ -1,0 +1,46 @@
+#include "igaStructure/caseFile/caseEntryTables.hpp"
+
+namespace tokay::structure {
+
+using namespace casePresence;
+
+// clang-format off
+const std::vector<CaseEntry>& geometryEntries() {
+    static const std::vector<CaseEntry> entries = {
+    // path, kind, presence, default, unit, allowed, count, meaning
+    {"name", Kind::text, optional, "", "", "", 0,
+     "Name of the case in the names of results; the case file's name without .yaml if not given."},
+
+    {"geometry", Kind::map, required, "", "", "", 0,
+     "The body in its reference configuration; exactly one of the shapes below."},
+    {"geometry.rectangle", Kind::map, optional, "", "", "", 0,
+     "Rectangle parallel to the axes; its edges left, right, bottom, top are where one sees them."},
+    {"geometry.rectangle.origin", Kind::numbers, required, "", "m", "", 2,
+     "Lower left corner."},
+    {"geometry.rectangle.size", Kind::numbers, required, "", "m", "(0, inf)", 2,
+     "Extent along x and y."},
+    {"geometry.nurbs", Kind::map, optional, "", "", "", 0,
+     "A NURBS patch; left and right are its first and last xi, bottom and top its first and last eta."},
+    {"geometry.nurbs.degree", Kind::integers, required, "", "", "[1, 10]", 0,
+     "Degree along xi and eta."},
+    {"geometry.nurbs.knotsXi", Kind::numbers, required, "", "", "", 0,
+     "Open knot vector along xi."},
+    {"geometry.nurbs.knotsEta", Kind::numbers, optional, "", "", "", 0,
+     "Open knot vector along eta of a surface."},
+    {"geometry.nurbs.controlPoints", Kind::points, required, "", "m", "", 0,
+     "Control points, xi running fastest; z is 0 if not given."},
+    {"geometry.nurbs.weights", Kind::numbers, optional, "", "", "(0, inf)", 0,
+     "One weight a control point; all 1 if not given."},
+
+    {"discretisation", Kind::map, required, "", "", "", 0,
+     "The basis of the displacement: the geometry's own, refined."},
+    {"discretisation.degree", Kind::integers, required, "", "", "[1, 10]", 0,
+     "Degree along xi and eta; not below the geometry's."},
+    {"discretisation.elements", Kind::integers, required, "", "", "[1, 100000]", 0,
+     "Parts into which each knot span of the geometry is cut, along xi and eta."},
+    };
+    return entries;
+}
+// clang-format on
+
+} // namespace tokay::structure

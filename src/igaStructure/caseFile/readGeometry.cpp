@@ -1,0 +1,72 @@
+#include "igaStructure/caseFile/readGeometry.hpp"
+
+#include "geometry/primitives.hpp"
+#include "geometry/refinement.hpp"
+#include "igaStructure/caseFile/CaseSection.hpp"
+#include "igaStructure/caseFile/requireUsed.hpp"
+
+#include <fmt/format.h>
+
+namespace tokay::structure {
+
+namespace {
+
+geometry::NurbsSurface readRectangle(const CaseSection& section) {
+    const std::vector<double> origin = section.numbers("origin");
+    const std::vector<double> size = section.numbers("size");
+    return geometry::rectangle({origin[0], origin[1], 0}, size[0], size[1]);
+}
+
+geometry::Points readControlPoints(const CaseSection& section) {
+    const std::vector<std::vector<double>> rows = section.points("controlPoints");
+    geometry::Points points = geometry::Points::Zero(rows.size(), 3);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        for (std::size_t c = 0; c < rows[k].size(); ++c) {
+            points(k, c) = rows[k][c];
+        }
+    }
+    return points;
+}
+
+Eigen::VectorXd readWeights(const CaseSection& section) {
+    if (!section.has("weights")) {
+        return {};
+    }
+    const std::vector<double> given = section.numbers("weights");
+    return Eigen::Map<const Eigen::VectorXd>(given.data(), given.size());
+}
+
+geometry::NurbsSurface readNurbsSurface(const CaseSection& section) {
+    const std::vector<int> degree = section.integers("degree", 2);
+    section.require("knotsEta", "a surface has them");
+    try {
+        return {geometry::KnotVector(degree[0], section.numbers("knotsXi")),
+                geometry::KnotVector(degree[1], section.numbers("knotsEta")),
+                readControlPoints(section), readWeights(section)};
+    } catch (const InputError& error) {
+        throw section.error("", error.what());
+    }
+}
+
+geometry::NurbsSurface refined(const geometry::NurbsSurface& coarse, const CaseSection& section) {
+    const std::vector<int> degree = section.integers("degree", 2);
+    const std::vector<int> elements = section.integers("elements", 2);
+    if (degree[0] < coarse.u().degree() || degree[1] < coarse.v().degree()) {
+        throw section.error("degree",
+                            fmt::format("[{}, {}] is below the geometry's [{}, {}]", degree[0],
+                                        degree[1], coarse.u().degree(), coarse.v().degree()));
+    }
+    return geometry::refine(coarse, degree[0], degree[1], elements[0], elements[1]);
+}
+
+} // namespace
+
+geometry::NurbsSurface readSurface(const CaseSection& file) {
+    const CaseSection section = file.section("geometry");
+    const std::string shape = section.exactlyOne({"rectangle", "nurbs"});
+    return refined(shape == "nurbs" ? readNurbsSurface(section.section("nurbs"))
+                                    : readRectangle(section.section("rectangle")),
+                   file.section("discretisation"));
+}
+
+} // namespace tokay::structure

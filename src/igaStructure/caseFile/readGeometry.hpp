@@ -1,0 +1,13 @@
+#pragma once
+
+#include "geometry/NurbsSurface.hpp"
+
+namespace tokay::structure {
+
+class CaseSection;
+
+/// The surface of `geometry` in the basis of `discretisation`.
+/// @throws InputError if the entries do not fit each other or describe no surface
+geometry::NurbsSurface readSurface(const CaseSection& file);
+
+} // namespace tokay::structure

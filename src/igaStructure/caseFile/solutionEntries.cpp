@@ -1,0 +1,39 @@
+#include "igaStructure/caseFile/caseEntryTables.hpp"
+
+namespace tokay::structure {
+
+using namespace casePresence;
+
+// clang-format off
+const std::vector<CaseEntry>& solutionEntries() {
+    static const std::vector<CaseEntry> entries = {
+    // path, kind, presence, default, unit, allowed, count, meaning
+    {"time", Kind::map, defaulted, "{}", "", "", 0,
+     "Time integration."},
+    {"time.scheme", Kind::word, defaulted, "generalisedAlpha", "", "generalisedAlpha newmark static", 0,
+     "generalisedAlpha: Chung & Hulbert 1993, order 2, dissipates high frequencies only. newmark: by beta and gamma. static: no inertia, a load step each time step."},
+    {"time.spectralRadius", Kind::number, optional, "", "", "[0, 1]", 0,
+     "generalisedAlpha: amplification of infinitely high frequencies; 1 keeps all energy, 0 annihilates them in one step. 0.8 if not given."},
+    {"time.beta", Kind::number, optional, "", "", "(0, 0.5]", 0,
+     "newmark: 0.25 if not given (with gamma 0.5: trapezoidal rule)."},
+    {"time.gamma", Kind::number, optional, "", "", "[0.5, 1]", 0,
+     "newmark: 0.5 if not given; larger values dissipate and reduce the order to 1."},
+    {"time.step", Kind::number, optional, "", "s", "(0, inf)", 0,
+     "Time step of a run alone; a coupled run takes the fluid's."},
+    {"time.end", Kind::number, optional, "", "s", "(0, inf)", 0,
+     "End of a run alone, which begins at 0; a coupled run takes the fluid's."},
+
+    {"newton", Kind::map, defaulted, "{}", "", "", 0,
+     "Equilibrium iterations with nonlinear strains."},
+    {"newton.tolerance", Kind::number, defaulted, "1e-8", "", "(0, 1)", 0,
+     "Out-of-balance force over the largest of the forces in balance (internal, inertia, external)."},
+    {"newton.maximumIterations", Kind::integer, defaulted, "25", "", "[1, 1000]", 0,
+     "Iterations after which the time step has failed."},
+    {"newton.lineSearch", Kind::yesNo, defaulted, "yes", "", "", 0,
+     "Shorten an update that does not reduce the residual along its own direction, or inverts the body."},
+    };
+    return entries;
+}
+// clang-format on
+
+} // namespace tokay::structure

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace tokay::structure {
+
+/// Motion of a structure at one time.
+struct MotionState {
+    double time = 0;              ///< [s]
+    Eigen::VectorXd displacement; ///< [m]
+    Eigen::VectorXd velocity;     ///< [m/s]
+    Eigen::VectorXd acceleration; ///< [m/s^2]
+    Eigen::VectorXd force;        ///< external, interface included [N]
+};
+
+} // namespace tokay::structure
