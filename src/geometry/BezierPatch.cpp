@@ -1,14 +1,12 @@
 #include "geometry/BezierPatch.hpp"
 
-#include "common/errors.hpp"
 #include <array>
-#include <fmt/format.h>
 
 namespace tokay::geometry {
 
 namespace {
 
-using Row = std::array<double, BezierPatch::maxDegree + 1>;
+using Row = std::array<double, KnotVector::maxDegree + 1>;
 
 /// Bernstein polynomials of one degree and their first two derivatives.
 struct Bernstein {
@@ -54,10 +52,6 @@ BezierPatch::BezierPatch(const NurbsSurface& piece)
       lower_(piece.u().first(), piece.v().first()), upper_(piece.u().last(), piece.v().last()),
       isRational_(piece.isRational()), points_(piece.controlPoints()),
       homogeneous_(piece.nControlPoints(), 4) {
-    if (std::max(degreeU_, degreeV_) > maxDegree)
-        throw InputError(fmt::format("A surface of degree {} cannot be projected onto: the limit "
-                                     "is {}.",
-                                     std::max(degreeU_, degreeV_), maxDegree));
     const Eigen::VectorXd weights =
         isRational_ ? piece.weights() : Eigen::VectorXd::Ones(points_.rows()).eval();
     homogeneous_ << weights.asDiagonal() * points_, weights;

@@ -7,10 +7,7 @@ namespace tokay::geometry {
 /// A surface of a single knot span, for many evaluations: no memory is allocated.
 class BezierPatch {
   public:
-    static constexpr int maxDegree = 30;
-
     /// @param piece  of one knot span, as bezierPieces gives them
-    /// @throws InputError for a degree above maxDegree
     explicit BezierPatch(const NurbsSurface& piece);
 
     const Eigen::Vector2d& lower() const { return lower_; }

@@ -2,6 +2,7 @@
 
 #include "common/errors.hpp"
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <fmt/format.h>
@@ -14,6 +15,9 @@ void checkSequence(int degree, const std::vector<double>& knots) {
     if (degree < 1)
         throw InputError(
             fmt::format("A knot vector needs a degree of at least 1, not {}.", degree));
+    if (degree > KnotVector::maxDegree)
+        throw InputError(fmt::format("A knot vector of degree {} is beyond the limit of {}.",
+                                     degree, KnotVector::maxDegree));
     const int nKnots = static_cast<int>(knots.size());
     if (nKnots < 2 * (degree + 1))
         throw InputError(fmt::format("A knot vector of degree {} needs at least {} knots, not {}.",
@@ -44,11 +48,16 @@ void checkMultiplicities(int degree, const KnotVector& knots) {
     }
 }
 
+/// Matrices on the stack: evaluations are many and short.
+using Table = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
+                            KnotVector::maxDegree + 1, KnotVector::maxDegree + 1>;
+using Row = std::array<double, KnotVector::maxDegree + 1>;
+
 /// Upper triangle and diagonal: basis functions of degree 0 to p; below it the
 /// knot differences that the derivatives divide by.
-Eigen::MatrixXd functionTable(const std::vector<double>& knots, int p, int span, double xi) {
-    Eigen::MatrixXd table(p + 1, p + 1);
-    Eigen::VectorXd left(p + 1), right(p + 1);
+Table functionTable(const std::vector<double>& knots, int p, int span, double xi) {
+    Table table(p + 1, p + 1);
+    Row left, right;
     table(0, 0) = 1;
     for (int j = 1; j <= p; ++j) {
         left[j] = xi - knots[span + 1 - j];
@@ -66,9 +75,9 @@ Eigen::MatrixXd functionTable(const std::vector<double>& knots, int p, int span,
 }
 
 /// Column r of the derivatives, rows 1 to n, without the factor p! / (p - k)!.
-void fillDerivatives(const Eigen::MatrixXd& table, int r, int n, Eigen::MatrixXd& ders) {
+void fillDerivatives(const Table& table, int r, int n, Eigen::MatrixXd& ders) {
     const int p = static_cast<int>(table.rows()) - 1;
-    Eigen::MatrixXd a = Eigen::MatrixXd::Zero(2, p + 1);
+    Table a = Table::Zero(2, p + 1);
     a(0, 0) = 1;
     int previous = 0;
     for (int k = 1; k <= n; ++k) {
@@ -129,7 +138,7 @@ int KnotVector::findSpan(double xi) const {
 Eigen::MatrixXd KnotVector::basisDerivatives(int span, double xi, int nDerivatives) const {
     assert(span >= degree_ && span < nBasis() && knots_[span] < knots_[span + 1]);
     const int p = degree_;
-    const Eigen::MatrixXd table = functionTable(knots_, p, span, xi);
+    const Table table = functionTable(knots_, p, span, xi);
     Eigen::MatrixXd ders = Eigen::MatrixXd::Zero(nDerivatives + 1, p + 1);
     ders.row(0) = table.col(p);
     const int n = std::min(nDerivatives, p); // higher ones vanish
@@ -143,6 +152,32 @@ Eigen::MatrixXd KnotVector::basisDerivatives(int span, double xi, int nDerivativ
         ders.row(k) *= factor;
     }
     return ders;
+}
+
+void KnotVector::valuesAndSlopes(int span, double xi, Eigen::Matrix2Xd& N) const {
+    assert(N.cols() == degree_ + 1);
+    const int p = degree_;
+    N(0, 0) = 1;
+    for (int j = 1; j <= p; ++j) {
+        if (j == p)
+            N.row(1).head(p) = N.row(0).head(p);
+        double saved = 0;
+        for (int r = 0; r < j; ++r) {
+            const double above = knots_[span + r + 1], below = knots_[span + 1 - j + r];
+            const double ratio = N(0, r) / (above - below);
+            N(0, r) = saved + (above - xi) * ratio;
+            saved = (xi - below) * ratio;
+        }
+        N(0, j) = saved;
+    }
+    // Differences of the functions of degree p - 1, over their knots.
+    double previous = 0;
+    for (int r = 0; r < p; ++r) {
+        const double ratio = p * N(1, r) / (knots_[span + r + 1] - knots_[span + r + 1 - p]);
+        N(1, r) = previous - ratio;
+        previous = ratio;
+    }
+    N(1, p) = previous;
 }
 
 std::vector<double> KnotVector::grevilleAbscissae() const {

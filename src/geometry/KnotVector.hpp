@@ -14,7 +14,9 @@ namespace tokay::geometry {
 /// i + degree + 1; on span i the functions i - degree to i are not zero.
 class KnotVector {
   public:
-    /// @throws InputError if the degree is below 1, if a knot is not finite or
+    static constexpr int maxDegree = 30;
+
+    /// @throws InputError if the degree is not 1 to maxDegree, if a knot is not finite or
     /// smaller than the one before it, if an end is not open, or if an inner
     /// knot is repeated more than degree times.
     KnotVector(int degree, std::vector<double> knots);
@@ -45,6 +47,10 @@ class KnotVector {
     /// of the span go on.
     /// Source: Piegl & Tiller, The NURBS Book, algorithm A2.3
     Eigen::MatrixXd basisDerivatives(int span, double xi, int nDerivatives) const;
+
+    /// As basisDerivatives with one derivative, into memory that is there.
+    /// @param N  2 x (degree + 1)
+    void valuesAndSlopes(int span, double xi, Eigen::Matrix2Xd& N) const;
 
     /// One parameter a function: the mean of its degree inner knots.
     std::vector<double> grevilleAbscissae() const;

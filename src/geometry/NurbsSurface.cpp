@@ -73,7 +73,10 @@ SurfaceBasis NurbsSurface::basis(double xi, double eta, int nDerivatives) const 
 
 Points NurbsSurface::derivatives(double xi, double eta, int n) const {
     const SurfaceBasis b = basis(xi, eta, n);
-    return b.N * controlPoints_(b.controlPoints, Eigen::all);
+    Points d = Points::Zero(b.N.rows(), 3);
+    for (std::size_t i = 0; i < b.controlPoints.size(); ++i)
+        d.noalias() += b.N.col(i) * controlPoints_.row(b.controlPoints[i]);
+    return d;
 }
 
 Point NurbsSurface::point(double xi, double eta) const {

@@ -11,22 +11,18 @@ std::vector<ParameterPoint> elementQuadrature(const TrimmedPatch& patch, int ele
     return PatchQuadrature(patch, options).points(element);
 }
 
-std::vector<ParameterPoint> cellQuadrature(const std::vector<Polygon>& parts, int degree) {
+void appendCellQuadrature(const Polygon& part, int degree, std::vector<ParameterPoint>& points) {
     const TriangleRule& rule = triangleRule(degree);
-    std::vector<ParameterPoint> points;
-    for (const Polygon& part : parts)
-        for (std::size_t i = 1; i + 1 < part.size(); ++i) {
-            const Parameters &a = part[0], &b = part[i], &c = part[i + 1];
-            const double area = signedArea({a, b, c});
-            if (area == 0)
-                continue;
-            for (std::size_t k = 0; k < rule.points.size(); ++k) {
-                const Barycentric& at = rule.points[k];
-                const Parameters place = at[0] * a + at[1] * b + at[2] * c;
-                points.push_back({place[0], place[1], area * rule.weights[k]});
-            }
+    for (std::size_t i = 1; i + 1 < part.size(); ++i) {
+        const Parameters &a = part[0], toB = part[i] - a, toC = part[i + 1] - a;
+        const double area = 0.5 * (toB[0] * toC[1] - toB[1] * toC[0]);
+        if (area == 0)
+            continue;
+        for (std::size_t k = 0; k < rule.points.size(); ++k) {
+            const Parameters place = a + rule.points[k][1] * toB + rule.points[k][2] * toC;
+            points.push_back({place[0], place[1], area * rule.weights[k]});
         }
-    return points;
+    }
 }
 
 } // namespace tokay::geometry

@@ -1,10 +1,10 @@
 #include "mapper/MassInverse.hpp"
 
 #include "common/errors.hpp"
+#include "mapper/largestEigenvalue.hpp"
 #include <Eigen/CholmodSupport>
 #include <Eigen/SPQRSupport>
 #include <fmt/format.h>
-#include <limits>
 
 namespace tokay::mapper {
 
@@ -43,6 +43,7 @@ class MassInverse::PseudoInverse : public Factorisation {
             throw SolverError(fmt::format("The rank of the mass matrix could not be told: {} by "
                                           "its columns, {} by its rows.",
                                           rank_, second_.rank()));
+        triangle_ = ColumnMatrix(second_.matrixR()).topLeftCorner(rank_, rank_);
     }
     int rank() const { return rank_; }
 
@@ -50,9 +51,9 @@ class MassInverse::PseudoInverse : public Factorisation {
         const Eigen::MatrixXd projected = first_.matrixQ().transpose() * rhs;
         const Eigen::MatrixXd permuted =
             second_.colsPermutation().transpose() * projected.topRows(rank_);
-        const ColumnMatrix triangle = ColumnMatrix(second_.matrixR()).topLeftCorner(rank_, rank_);
         Eigen::MatrixXd padded = Eigen::MatrixXd::Zero(rhs.rows(), rhs.cols());
-        padded.topRows(rank_) = triangle.transpose().triangularView<Eigen::Lower>().solve(permuted);
+        padded.topRows(rank_) =
+            triangle_.transpose().triangularView<Eigen::Lower>().solve(permuted);
         const Eigen::MatrixXd rotated = second_.matrixQ() * padded;
         return first_.colsPermutation() * rotated;
     }
@@ -65,6 +66,7 @@ class MassInverse::PseudoInverse : public Factorisation {
     }
 
     Eigen::SPQR<ColumnMatrix> first_, second_;
+    ColumnMatrix triangle_;
     int rank_;
 };
 
@@ -94,27 +96,6 @@ ColumnMatrix restricted(const SparseMatrix& matrix, const std::vector<int>& acti
     ColumnMatrix reduced(n, n);
     reduced.setFromTriplets(entries.begin(), entries.end());
     return reduced;
-}
-
-/// Largest eigenvalue of a symmetric operator without negative ones.
-template <class Operator>
-double largestEigenvalue(Eigen::Index n, const Operator& apply) {
-    Eigen::VectorXd v(n);
-    for (Eigen::Index i = 0; i < n; ++i)
-        v[i] = 1 + std::sin(1.0 + 3 * i); // no symmetry, so no eigenvector is missed
-    double eigenvalue = 0;
-    for (int iteration = 0; iteration < 300; ++iteration) {
-        v.normalize();
-        const Eigen::VectorXd next = apply(v);
-        const double previous = eigenvalue;
-        eigenvalue = v.dot(next);
-        if (!std::isfinite(eigenvalue))
-            return std::numeric_limits<double>::infinity();
-        if (std::abs(eigenvalue - previous) <= 1e-6 * std::abs(eigenvalue))
-            break;
-        v = next;
-    }
-    return eigenvalue;
 }
 
 } // namespace

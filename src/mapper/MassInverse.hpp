@@ -28,7 +28,7 @@ class MassInverse {
     int nActive() const { return static_cast<int>(active_.size()); }
     int rank() const { return rank_; }
     /// Largest over smallest nonzero eigenvalue, estimated to a per cent by
-    /// power iterations.
+    /// Lanczos iterations.
     double conditionOnRange() const { return condition_; }
 
   private:

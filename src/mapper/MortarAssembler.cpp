@@ -37,7 +37,8 @@ int MortarAssembler::Part::column(int fromValue) {
 
 void MortarAssembler::Part::add(double weight, const Functions& to, const Functions& from) {
     assert(toValues == to.values);
-    mass.noalias() += weight * to.weights * to.weights.transpose();
+    for (Eigen::Index j = 0; j < mass.cols(); ++j)
+        mass.col(j).noalias() += weight * to.weights[j] * to.weights;
     for (std::size_t j = 0; j < from.values.size(); ++j) {
         const int number = column(from.values[j]);
         cross.col(number).noalias() += weight * from.weights[j] * to.weights;
@@ -74,7 +75,7 @@ void MortarAssembler::add(double weight, const Functions& to, const Functions& f
 
 void MortarAssembler::addUnmatched(const Functions& to) {
     for (const int value : to.values)
-        isOnInterface_[value] = 1;
+        addUnmatched(value);
 }
 
 void MortarAssembler::close(const Part& part) {

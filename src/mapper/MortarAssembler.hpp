@@ -25,6 +25,7 @@ class MortarAssembler {
 
     /// A place with no partner: its functions exist, but get nothing from there.
     void addUnmatched(const Functions& to);
+    void addUnmatched(int toValue) { isOnInterface_[toValue] = 1; }
 
     /// Source of the dual basis: Wohlmuth, SIAM J. Numer. Anal. 38, 2000
     void endGroup();

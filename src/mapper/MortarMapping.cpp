@@ -1,13 +1,14 @@
 #include "mapper/MortarMapping.hpp"
 
 #include "common/errors.hpp"
+#include "geometry/SurfaceEvaluator.hpp"
 #include "geometry/elementQuadrature.hpp"
+#include "mapper/SplineFacets.hpp"
 #include "mapper/Stopwatch.hpp"
 #include "mapper/conservation.hpp"
 #include "mapper/curveIntersection.hpp"
 #include "mapper/meshIntersection.hpp"
 #include "mapper/patchIntersection.hpp"
-#include <Eigen/Geometry>
 
 namespace tokay::mapper {
 
@@ -24,20 +25,18 @@ int quadratureDegree(const SurfaceInterface& splines, const MortarOptions& optio
     return degree;
 }
 
-Functions meshFunctions(const SurfaceMesh& mesh, const IntersectionPoint& at) {
-    return mesh.functions(at.triangle, at.inTriangle);
-}
-
 /// Area of the patches, and their functions, whether a face reaches them or not.
 double markPatches(const SurfaceInterface& splines, int degree, MortarAssembler& assembler) {
     double area = 0;
     for (int i = 0; i < splines.nPieces(); ++i) {
         const geometry::TrimmedPatch& patch = splines.piece(i).patch;
+        geometry::SurfaceEvaluator surface(patch.basis());
         for (int element = 0; element < patch.nElements(); ++element)
             for (const auto& at : elementQuadrature(patch, element, degree)) {
-                const Points d = patch.basis().derivatives(at.xi, at.eta, 1);
-                area += at.weight * Point(d.row(1)).cross(Point(d.row(2))).norm();
-                assembler.addUnmatched(splines.functions(i, at.xi, at.eta));
+                surface.moveTo(at.xi, at.eta);
+                area += at.weight * surface.jacobian();
+                for (const int number : surface.controlPoints())
+                    assembler.addUnmatched(splines.piece(i).controlPoints[number]);
             }
     }
     return area;
@@ -48,11 +47,14 @@ void integrateIntersection(const SurfaceMesh& from, const SurfaceInterface& to,
                            GapStatistics& gaps) {
     const int degree = quadratureDegree(to, options);
     double covered = 0;
+    Functions onMesh;
     IntersectionVisitor visitor;
     visitor.point = [&](const IntersectionPoint& at) {
         covered += at.weight;
-        if (gaps.count(at.position, at.gap, true, false, at.weight))
-            assembler.add(at.weight, at.onPatch, meshFunctions(from, at), at.element);
+        if (!gaps.count(at.position, at.gap, true, false, at.weight))
+            return;
+        from.evaluate(at.triangle, at.inTriangle, onMesh);
+        assembler.add(at.weight, at.onPatch, onMesh, at.element);
     };
     visitor.endTriangle = [&](int triangle, double) {
         if (triangle + 1 == from.nTriangles() || from.faceOf(triangle + 1) != from.faceOf(triangle))
@@ -67,9 +69,10 @@ void integrateIntersection(const SurfaceMesh& from, const SurfaceInterface& to,
 void integrateIntersection(const SurfaceInterface& from, const SurfaceMesh& to,
                            const MortarOptions& options, MortarAssembler& assembler,
                            GapStatistics& gaps) {
+    Functions onMesh;
     IntersectionVisitor visitor;
     visitor.point = [&](const IntersectionPoint& at) {
-        const Functions onMesh = meshFunctions(to, at);
+        to.evaluate(at.triangle, at.inTriangle, onMesh);
         if (gaps.count(at.position, at.gap, true, false, at.weight))
             assembler.add(at.weight, onMesh, at.onPatch);
         else
@@ -86,6 +89,38 @@ void integrateIntersection(const SurfaceInterface& from, const SurfaceMesh& to,
     };
     intersect(to, from, options.gapLimit.relative * from.size(), quadratureDegree(from, options),
               visitor);
+}
+
+/// Of the triangles that stand for the source's knot spans. It moves the lines
+/// where the source is less smooth, which costs no order.
+constexpr double facetTolerance = 1e-3;
+
+void integrateIntersection(const SurfaceInterface& from, const SurfaceInterface& to,
+                           const MortarOptions& options, MortarAssembler& assembler,
+                           GapStatistics& gaps) {
+    const int degree = std::max(quadratureDegree(from, options), quadratureDegree(to, options));
+    const SplineFacets facets = splineFacets(from, facetTolerance);
+    double covered = 0;
+    IntersectionVisitor visitor;
+    visitor.point = [&](const IntersectionPoint& at) {
+        covered += at.weight;
+        const int piece = facets.pieces[at.triangle];
+        const geometry::SurfaceProjection source = from.projector(piece).closest(at.position);
+        if (gaps.count(at.position, source.distance, source.converged, source.ambiguous, at.weight))
+            assembler.add(at.weight, at.onPatch, from.functions(piece, source.xi, source.eta),
+                          at.element);
+    };
+    visitor.endTriangle = [&](int, double) { assembler.endGroup(); };
+    intersect(facets.mesh, to, options.gapLimit.relative * from.size(), degree, visitor);
+    const double area = markPatches(to, degree, assembler);
+    if (covered < (1 - 1e-9) * area)
+        gaps.countUncovered(area - covered);
+}
+
+void refuseDualBasis(const MortarOptions& options) {
+    if (options.basis == MortarBasis::dual)
+        throw InputError("There is no dual basis for splines on patches: choose the standard "
+                         "mortar basis.");
 }
 
 } // namespace
@@ -120,9 +155,7 @@ MortarMapping::MortarMapping(const SurfaceMesh& from, const SurfaceMesh& to,
 
 MortarMapping::MortarMapping(const SurfaceMesh& from, const SurfaceInterface& to,
                              const MortarOptions& options) {
-    if (options.basis == MortarBasis::dual)
-        throw InputError("There is no dual basis for splines on patches: choose the standard "
-                         "mortar basis.");
+    refuseDualBasis(options);
     build(from, to, options, {to.nValues(), from.nValues(), options.basis, to.nElements()},
           [&](MortarAssembler& assembler, GapStatistics& gaps) {
               integrateIntersection(from, to, options, assembler, gaps);
@@ -132,6 +165,15 @@ MortarMapping::MortarMapping(const SurfaceMesh& from, const SurfaceInterface& to
 MortarMapping::MortarMapping(const SurfaceInterface& from, const SurfaceMesh& to,
                              const MortarOptions& options) {
     build(from, to, options, {to.nValues(), from.nValues(), options.basis},
+          [&](MortarAssembler& assembler, GapStatistics& gaps) {
+              integrateIntersection(from, to, options, assembler, gaps);
+          });
+}
+
+MortarMapping::MortarMapping(const SurfaceInterface& from, const SurfaceInterface& to,
+                             const MortarOptions& options) {
+    refuseDualBasis(options);
+    build(from, to, options, {to.nValues(), from.nValues(), options.basis, to.nElements()},
           [&](MortarAssembler& assembler, GapStatistics& gaps) {
               integrateIntersection(from, to, options, assembler, gaps);
           });

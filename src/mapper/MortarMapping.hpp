@@ -51,6 +51,17 @@ class MortarMapping : public Mapping {
     MortarMapping(const SurfaceInterface& from, const SurfaceMesh& to,
                   const MortarOptions& options = {});
 
+    /// Between trimmed patches on either side, integrated over the destination. The
+    /// source's trimmed knot spans are cut into triangles whose chords leave them
+    /// by 1e-3 of a span; these are projected into the destination's parameters and
+    /// clipped there with its knot spans and loops. Each quadrature point lies on the
+    /// destination, and its partner is the closest point of the source's surface, so
+    /// fields that both sides hold are exact. What the chords cut off along a curved
+    /// rim, about 1e-3 of a span wide, is left out on both sides.
+    /// @throws InputError for the dual basis
+    MortarMapping(const SurfaceInterface& from, const SurfaceInterface& to,
+                  const MortarOptions& options = {});
+
     Eigen::MatrixXd apply(const Eigen::MatrixXd& values) const override;
     Eigen::MatrixXd applyTransposed(const Eigen::MatrixXd& forces) const override;
 

@@ -48,6 +48,7 @@ SurfaceInterface::SurfaceInterface(std::vector<SurfacePiece> pieces, int nContro
         all.include(boxes_.back());
         isClosed_.push_back({coincide(surface, geometry::Edge::left, geometry::Edge::right),
                              coincide(surface, geometry::Edge::bottom, geometry::Edge::top)});
+        poles_.push_back(geometry::surfacePoles(surface));
         firstElement_.push_back(firstElement_.back() + piece.patch.nElements());
         for (int i = 0; i < surface.nControlPoints(); ++i)
             coordinates_.row(piece.controlPoints[i]) = surface.controlPoints().row(i);

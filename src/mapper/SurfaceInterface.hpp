@@ -3,6 +3,7 @@
 #include "geometry/CurveOnSurface.hpp"
 #include "geometry/SurfaceProjector.hpp"
 #include "geometry/TrimmedPatch.hpp"
+#include "geometry/surfacePoles.hpp"
 #include "mapper/Discretisation.hpp"
 #include <array>
 
@@ -31,6 +32,9 @@ class SurfaceInterface : public Discretisation {
     const geometry::Box& box(int i) const { return boxes_[i]; }
     /// Whether the patch closes along xi, along eta (the seam of a cylinder).
     std::array<bool, 2> isClosed(int i) const { return isClosed_[i]; }
+
+    /// Degenerate edges of the patch.
+    const std::vector<geometry::Pole>& poles(int i) const { return poles_[i]; }
 
     int nValues() const override { return static_cast<int>(coordinates_.rows()); }
     /// Rows of control points of no patch are zero.
@@ -66,6 +70,7 @@ class SurfaceInterface : public Discretisation {
     std::vector<Rim> rims_;
     std::vector<geometry::Box> boxes_;
     std::vector<std::array<bool, 2>> isClosed_;
+    std::vector<std::vector<geometry::Pole>> poles_;
     std::vector<int> firstElement_;
     Points coordinates_;
     double size_;

@@ -100,17 +100,27 @@ std::array<int, 3> SurfaceMesh::cornerNumbers(int triangle) const {
 }
 
 Functions SurfaceMesh::functions(int triangle, const Barycentric& at) const {
+    Functions functions;
+    evaluate(triangle, at, functions);
+    return functions;
+}
+
+void SurfaceMesh::evaluate(int triangle, const Barycentric& at, Functions& functions) const {
     const int face = faceOf_[triangle];
-    if (valuesAt_ == ValuesAt::faces)
-        return {{face}, Eigen::VectorXd::Ones(1)};
-    const std::vector<int>& corners = faces_[face];
-    const int n = static_cast<int>(corners.size()), start = startOf_[triangle];
-    if (n == 3)
-        return {corners, at};
-    Eigen::VectorXd weights = Eigen::VectorXd::Constant(n, at[2] / n);
-    weights[start] += at[0];
-    weights[(start + 1) % n] += at[1];
-    return {corners, std::move(weights)};
+    if (valuesAt_ == ValuesAt::faces) {
+        functions.values.assign(1, face);
+        functions.weights.setOnes(1);
+        return;
+    }
+    functions.values = faces_[face];
+    const int n = static_cast<int>(functions.values.size()), start = startOf_[triangle];
+    if (n == 3) {
+        functions.weights = at;
+        return;
+    }
+    functions.weights.setConstant(n, at[2] / n);
+    functions.weights[start] += at[0];
+    functions.weights[(start + 1) % n] += at[1];
 }
 
 Location SurfaceMesh::locate(const Point& point) const {

@@ -46,6 +46,9 @@ class SurfaceMesh : public Discretisation {
     /// face's triangles. Outside the triangle they are continued linearly.
     Functions functions(int triangle, const geometry::Barycentric& at) const;
 
+    /// The same, into memory that is there.
+    void evaluate(int triangle, const geometry::Barycentric& at, Functions& functions) const;
+
     /// Degree of the functions on a triangle.
     int degree() const { return valuesAt_ == ValuesAt::vertices ? 1 : 0; }
 

@@ -1,11 +1,11 @@
 #include "mapper/patchIntersection.hpp"
 
+#include "geometry/SurfaceEvaluator.hpp"
 #include "geometry/elementQuadrature.hpp"
-#include "mapper/parameterPolygon.hpp"
-#include <Eigen/Geometry>
+#include "mapper/ProjectedCorners.hpp"
+#include "mapper/polePartition.hpp"
 #include <algorithm>
 #include <limits>
-#include <unordered_map>
 
 namespace tokay::mapper {
 
@@ -38,7 +38,10 @@ class Intersection {
     Intersection(const SurfaceMesh& mesh, const SurfaceInterface& splines, double reach, int degree,
                  const IntersectionVisitor& visitor)
         : mesh_(mesh), splines_(splines), reach_(reach), degree_(degree), visitor_(visitor),
-          corners_(splines.nPieces()), tree_(boxes(splines)) {}
+          corners_(mesh, splines), tree_(boxes(splines)) {
+        for (int i = 0; i < splines.nPieces(); ++i)
+            evaluators_.emplace_back(splines.piece(i).patch.basis());
+    }
 
     void run() {
         for (int triangle = 0; triangle < mesh_.nTriangles(); ++triangle) {
@@ -68,45 +71,36 @@ class Intersection {
 
     /// @return share of the triangle that the patch covers
     double overPatch(int triangle, int piece) {
-        const geometry::NurbsSurface& surface = splines_.piece(piece).patch.basis();
         std::array<ProjectedCorner, 3> corners;
         double least = std::numeric_limits<double>::infinity();
         for (int i = 0; i < 3; ++i) {
-            corners[i] = corner(triangle, i, piece);
+            corners[i] = corners_.at(triangle, i, piece);
             least = std::min(least, corners[i].gap);
             if (!corners[i].converged)
                 return 0;
         }
         if (least > reach_)
             return 0;
-        const std::array<bool, 2> isClosed = splines_.isClosed(piece);
-        const Polygon polygon = parameterPolygon(surface, isClosed, corners);
-        const double area = signedArea(polygon);
-        if (!(area > 0))
-            return 0;
-        return overAllTurns(triangle, piece, polygon, isClosed) / area;
-    }
-
-    const ProjectedCorner& corner(int triangle, int i, int piece) {
-        const int number = mesh_.cornerNumbers(triangle)[i];
-        auto& known = corners_[piece];
-        auto found = known.find(number);
-        if (found == known.end())
-            found = known
-                        .emplace(number, projectedCorner(splines_.piece(piece).patch.basis(),
-                                                         splines_.projector(piece),
-                                                         splines_.isClosed(piece),
-                                                         mesh_.triangle(triangle).corner(i)))
-                        .first;
-        return found->second;
+        double covered = 0, whole = 0;
+        for (const auto& part :
+             partsAroundPole(splines_, piece, mesh_.triangle(triangle), corners)) {
+            const Polygon polygon = parameterPolygon(splines_.piece(piece).patch.basis(),
+                                                     splines_.isClosed(piece), part);
+            const double area = signedArea(polygon);
+            if (!(area > 0))
+                continue;
+            whole += area;
+            covered += overAllTurns(triangle, piece, polygon);
+        }
+        return whole > 0 ? covered / whole : 0;
     }
 
     /// A polygon over a seam lies at both ends of the parameter range.
-    double overAllTurns(int triangle, int piece, const Polygon& polygon,
-                        std::array<bool, 2> isClosed) {
-        const geometry::NurbsSurface& surface = splines_.piece(piece).patch.basis();
-        const Eigen::Vector2d period(surface.u().last() - surface.u().first(),
-                                     surface.v().last() - surface.v().first());
+    double overAllTurns(int triangle, int piece, const Polygon& polygon) {
+        const std::array<bool, 2> isClosed = splines_.isClosed(piece);
+        if (!isClosed[0] && !isClosed[1])
+            return overElements(triangle, piece, polygon);
+        const Eigen::Vector2d period = splines_.piece(piece).patch.box().size();
         double area = 0;
         for (int j = isClosed[1] ? -1 : 0; j <= (isClosed[1] ? 1 : 0); ++j)
             for (int i = isClosed[0] ? -1 : 0; i <= (isClosed[0] ? 1 : 0); ++i) {
@@ -129,26 +123,33 @@ class Intersection {
         const Span v = spansBetween(patch.basis().v(), lower[1], upper[1]);
         double area = 0;
         for (int j = v.begin; j < v.end; ++j)
-            for (int i = u.begin; i < u.end; ++i)
-                area += overElement(triangle, piece, patch.elementNumber(i, j), polygon);
+            for (int i = u.begin; i < u.end; ++i) {
+                const int element = patch.elementNumber(i, j);
+                const geometry::ParameterBox box = patch.elementBox(element);
+                const bool isInside = (lower.array() >= box.lower.array()).all() &&
+                                      (upper.array() <= box.upper.array()).all();
+                area += overElement(triangle, piece, element,
+                                    isInside ? polygon
+                                             : clippedByRectangle(polygon, box.lower, box.upper));
+            }
         return area;
     }
 
-    double overElement(int triangle, int piece, int element, const Polygon& polygon) {
+    /// @param cell  the part of the triangle's image in the element
+    double overElement(int triangle, int piece, int element, const Polygon& cell) {
         const TrimmedPatch& patch = splines_.piece(piece).patch;
-        if (patch.state(element) == ElementState::empty)
+        if (patch.state(element) == ElementState::empty || cell.size() < 3 ||
+            (hasRivals_ && !isClosest(triangle, piece, cell)))
             return 0;
-        Polygon cell = clippedByRectangle(polygon, patch.elementBox(element).lower,
-                                          patch.elementBox(element).upper);
-        if (cell.size() < 3 || (hasRivals_ && !isClosest(triangle, piece, cell)))
-            return 0;
-        parts_.clear();
+        points_.clear();
         if (patch.state(element) == ElementState::cut)
-            parts_ = patch.clipped(cell);
+            for (const Polygon& part : patch.clipped(cell))
+                geometry::appendCellQuadrature(part, degree_, points_);
         else
-            parts_.push_back(std::move(cell));
+            geometry::appendCellQuadrature(cell, degree_, points_);
+        evaluators_[piece].enter(patch.elementBox(element).centre());
         double area = 0;
-        for (const geometry::ParameterPoint& at : geometry::cellQuadrature(parts_, degree_)) {
+        for (const geometry::ParameterPoint& at : points_) {
             area += at.weight;
             visit(triangle, piece, element, at);
         }
@@ -168,22 +169,21 @@ class Intersection {
     }
 
     void visit(int triangle, int piece, int element, const geometry::ParameterPoint& at) {
-        const SurfacePiece& onPiece = splines_.piece(piece);
-        geometry::SurfaceBasis basis = onPiece.patch.basis().basis(at.xi, at.eta, 1);
-        Eigen::Matrix3d d = Eigen::Matrix3d::Zero();
-        for (std::size_t i = 0; i < basis.controlPoints.size(); ++i) {
-            d += basis.N.col(i) * onPiece.patch.basis().controlPoints().row(basis.controlPoints[i]);
-            basis.controlPoints[i] = onPiece.controlPoints[basis.controlPoints[i]];
-        }
-        IntersectionPoint point;
-        point.position = d.row(0);
-        point.weight = at.weight * Point(d.row(1)).cross(Point(d.row(2))).norm();
-        point.triangle = triangle;
-        point.inTriangle = mesh_.triangle(triangle).barycentric(point.position);
-        point.gap = (mesh_.triangle(triangle).at(point.inTriangle) - point.position).norm();
-        point.element = splines_.elementNumber(piece, element);
-        point.onPatch = {std::move(basis.controlPoints), basis.N.row(0)};
-        visitor_.point(point);
+        geometry::SurfaceEvaluator& surface = evaluators_[piece];
+        surface.evaluate(at.xi, at.eta);
+        const std::vector<int>& numbers = splines_.piece(piece).controlPoints;
+        point_.position = surface.point();
+        point_.weight = at.weight * surface.jacobian();
+        point_.triangle = triangle;
+        point_.inTriangle = mesh_.triangle(triangle).barycentric(point_.position);
+        point_.gap = (mesh_.triangle(triangle).at(point_.inTriangle) - point_.position).norm();
+        point_.piece = piece;
+        point_.element = splines_.elementNumber(piece, element);
+        point_.onPatch.values = surface.controlPoints();
+        for (int& number : point_.onPatch.values)
+            number = numbers[number];
+        point_.onPatch.weights = surface.N();
+        visitor_.point(point_);
     }
 
     const SurfaceMesh& mesh_;
@@ -191,11 +191,12 @@ class Intersection {
     double reach_;
     int degree_;
     const IntersectionVisitor& visitor_;
-    /// By patch and by the mesh's corner number.
-    std::vector<std::unordered_map<int, ProjectedCorner>> corners_;
+    ProjectedCorners corners_;
     geometry::BoxTree tree_;
+    std::vector<geometry::SurfaceEvaluator> evaluators_;
     bool hasRivals_ = false;
-    std::vector<Polygon> parts_;
+    std::vector<geometry::ParameterPoint> points_;
+    IntersectionPoint point_;
 };
 
 } // namespace

@@ -13,6 +13,7 @@ struct IntersectionPoint {
     double gap;     ///< to the plane of the triangle [m]
     int triangle;
     geometry::Barycentric inTriangle;
+    int piece;
     int element;       ///< as SurfaceInterface numbers them
     Functions onPatch; ///< of the patch, by the structure's numbers
 };
@@ -28,7 +29,8 @@ struct IntersectionVisitor {
 /// the triangle's corners are projected into the parameter space and joined by
 /// straight sides, the polygon clipped by the knot spans and the loops. Corners
 /// beyond the edge of a surface are continued along its tangents; triangles over
-/// a seam are laid over both ends; at a pole the corner becomes a side.
+/// a seam are laid over both ends; at a pole the corner becomes a side, and a
+/// triangle with a pole inside is cut into three around it.
 /// @param reach   gap up to which a patch counts [m]
 /// @param degree  of the quadrature on the pieces
 void intersect(const SurfaceMesh& mesh, const SurfaceInterface& splines, double reach, int degree,

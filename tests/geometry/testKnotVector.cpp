@@ -54,6 +54,17 @@ TEST(KnotVector, derivativesAgreeWithFiniteDifferences) {
     }
 }
 
+TEST(KnotVector, valuesAndSlopesAreThoseOfBasisDerivatives) {
+    for (const KnotVector& other : {knots, KnotVector::uniform(1, 3), KnotVector::uniform(5, 4)}) {
+        Eigen::Matrix2Xd N(2, other.degree() + 1);
+        for (const double xi : sampleParameters(41)) {
+            const int span = other.findSpan(xi);
+            other.valuesAndSlopes(span, xi, N);
+            EXPECT_LT((N - other.basisDerivatives(span, xi, 1)).norm(), 1e-13 * N.norm());
+        }
+    }
+}
+
 TEST(KnotVector, derivativesAboveTheDegreeVanish) {
     const Eigen::MatrixXd N = knots.basisDerivatives(knots.findSpan(0.3), 0.3, 5);
     EXPECT_EQ(N.bottomRows(2).norm(), 0);
