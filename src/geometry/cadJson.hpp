@@ -23,7 +23,7 @@ struct CadJson {
 CadJson readCadJson(const std::string& path);
 
 /// Writes a model so that readCadJson reads the same one, to the last bit.
-/// @throws InputError if the file cannot be written.
+/// @throws OutputError if the file cannot be written.
 void writeCadJson(const BrepModel& model, const std::string& path);
 
 } // namespace tokay::geometry

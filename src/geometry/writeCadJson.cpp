@@ -1,10 +1,9 @@
 #include "geometry/cadJson.hpp"
 
-#include "common/errors.hpp"
+#include "common/OutputFile.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <fstream>
 
 namespace tokay::geometry {
 
@@ -144,13 +143,9 @@ class Writer {
 } // namespace
 
 void writeCadJson(const BrepModel& model, const std::string& path) {
-    std::ofstream file(path);
-    file << Writer(model).write();
-    file.close();
-    if (!file)
-        throw InputError(fmt::format("{}: the file cannot be written. Check the folder and the "
-                                     "space left.",
-                                     path));
+    OutputFile file(path);
+    file.write(Writer(model).write());
+    file.publish();
 }
 
 } // namespace tokay::geometry

@@ -1,21 +1,20 @@
 #include "geometry/writeModelVtu.hpp"
 
-#include "common/errors.hpp"
+#include "common/VtuFile.hpp"
 #include "geometry/chords.hpp"
 #include "geometry/patchTriangles.hpp"
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <fstream>
 
 namespace tokay::geometry {
 
 namespace {
 
-enum CellType { polyLine = 4, triangle = 5 };
+enum CellType : std::uint8_t { polyLine = 4, triangle = 5 };
 
 struct Cells {
     std::vector<double> coordinates, xi, eta;
-    std::vector<int> connectivity, offsets, types, faces, edges, elements;
+    std::vector<std::int64_t> connectivity, ends;
+    std::vector<std::uint8_t> types;
+    std::vector<int> faces, edges, elements;
 
     int nPoints() const { return static_cast<int>(xi.size()); }
 
@@ -25,7 +24,7 @@ struct Cells {
         eta.push_back(pointEta);
     }
     void endCell(CellType type, int face, int edge, int element) {
-        offsets.push_back(static_cast<int>(connectivity.size()));
+        ends.push_back(static_cast<std::int64_t>(connectivity.size()));
         types.push_back(type);
         faces.push_back(face);
         edges.push_back(edge);
@@ -57,51 +56,14 @@ void addEdge(const BrepModel& model, int edge, double tolerance, Cells& cells) {
     }
 }
 
-template <class Value>
-std::string array(const char* type, const char* name, int nComponents,
-                  const std::vector<Value>& values) {
-    return fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" "
-                       "format=\"ascii\">\n{}\n</DataArray>\n",
-                       type, name, nComponents, fmt::join(values, " "));
-}
-
-/// Texts as VTK has them: numbers of their characters, ended by zeros.
-std::string names(const char* name, const std::vector<std::string>& texts) {
-    std::vector<int> characters;
-    for (const std::string& text : texts) {
-        for (const unsigned char c : text)
-            characters.push_back(c);
-        characters.push_back(0);
-    }
-    return fmt::format("<DataArray type=\"String\" Name=\"{}\" NumberOfTuples=\"{}\" "
-                       "format=\"ascii\">\n{}\n</DataArray>\n",
-                       name, texts.size(), fmt::join(characters, " "));
-}
-
-std::string fieldData(const BrepModel& model) {
+void addNames(const BrepModel& model, VtuFile& file) {
     std::vector<std::string> faces, edges;
     for (const BrepFace& face : model.faces())
         faces.push_back(face.patch.name());
     for (const BrepEdge& edge : model.edges())
         edges.push_back(edge.name);
-    return "<FieldData>\n" + names("faceNames", faces) + names("edgeNames", edges) +
-           "</FieldData>\n";
-}
-
-std::string xml(const BrepModel& model, const Cells& cells) {
-    return "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
-           "byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n" +
-           fieldData(model) +
-           fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", cells.nPoints(),
-                       cells.types.size()) +
-           "<PointData>\n" + array("Float64", "xi", 1, cells.xi) +
-           array("Float64", "eta", 1, cells.eta) + "</PointData>\n<CellData>\n" +
-           array("Int32", "face", 1, cells.faces) + array("Int32", "edge", 1, cells.edges) +
-           array("Int32", "element", 1, cells.elements) + "</CellData>\n<Points>\n" +
-           array("Float64", "Points", 3, cells.coordinates) + "</Points>\n<Cells>\n" +
-           array("Int32", "connectivity", 1, cells.connectivity) +
-           array("Int32", "offsets", 1, cells.offsets) + array("UInt8", "types", 1, cells.types) +
-           "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+    file.addTexts("faceNames", faces);
+    file.addTexts("edgeNames", edges);
 }
 
 } // namespace
@@ -113,13 +75,15 @@ void writeModelVtu(const BrepModel& model, const std::string& path, double chord
         addFace(model, static_cast<int>(face), tolerance, cells);
     for (std::size_t edge = 0; edge < model.edges().size(); ++edge)
         addEdge(model, static_cast<int>(edge), tolerance, cells);
-    std::ofstream file(path);
-    file << xml(model, cells);
-    file.close();
-    if (!file)
-        throw InputError(fmt::format("{}: the file cannot be written. Check the folder and the "
-                                     "space left.",
-                                     path));
+    VtuFile file;
+    file.beginPiece(cells.coordinates, cells.connectivity, cells.ends, cells.types);
+    addNames(model, file);
+    file.addField(VtuFile::On::points, "xi", 1, cells.xi);
+    file.addField(VtuFile::On::points, "eta", 1, cells.eta);
+    file.addField(VtuFile::On::cells, "face", cells.faces);
+    file.addField(VtuFile::On::cells, "edge", cells.edges);
+    file.addField(VtuFile::On::cells, "element", cells.elements);
+    file.write(path);
 }
 
 } // namespace tokay::geometry

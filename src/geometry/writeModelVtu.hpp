@@ -10,7 +10,7 @@ namespace tokay::geometry {
 /// xi and eta as point data, and the names of both as field data.
 /// @param chordTolerance  distance of triangles and lines to the model [m]; 0
 ///                        means a thousandth of the model's size
-/// @throws InputError if the file cannot be written.
+/// @throws OutputError if the file cannot be written.
 void writeModelVtu(const BrepModel& model, const std::string& path, double chordTolerance = 0);
 
 } // namespace tokay::geometry

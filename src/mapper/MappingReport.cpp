@@ -21,4 +21,26 @@ std::string MappingReport::text() const {
     return text + fmt::format("  built in {:.3g} s, {:.3g} MB\n", seconds, bytes / 1e6);
 }
 
+JsonObject MappingReport::json() const {
+    JsonObject object;
+    object.add("method", method);
+    object.add("nPoints", nPoints);
+    object.add("nUnmatched", nUnmatched);
+    object.add("nAmbiguous", nAmbiguous);
+    object.add("coverage", coverage);
+    object.add("largestGap_m", largestGap);
+    object.add("relativeGap", relativeGap);
+    object.add("worstPoint", worstPoint);
+    object.add("rowSumError", rowSumError);
+    object.add("forceSumError", forceSumError);
+    object.add("momentError", momentError);
+    object.add("nUncovered", nUncovered);
+    object.add("nInverted", nInverted);
+    object.add("rank", rank);
+    object.add("condition", condition);
+    object.add("build_s", seconds);
+    object.add("memory_byte", bytes);
+    return object;
+}
+
 } // namespace tokay::mapper

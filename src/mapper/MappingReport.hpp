@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/JsonObject.hpp"
 #include <string>
 
 namespace tokay::mapper {
@@ -40,6 +41,9 @@ struct MappingReport {
 
     /// A few lines for a person.
     std::string text() const;
+
+    /// The same for programs, names with their units.
+    JsonObject json() const;
 };
 
 } // namespace tokay::mapper

@@ -1,7 +1,7 @@
+#include "common/OutputFile.hpp"
 #include "common/errors.hpp"
 #include "exampleCase.hpp"
 #include "fileSizeLimit.hpp"
-#include "igaStructure/output/OutputFile.hpp"
 #include "igaStructure/run/checkCase.hpp"
 #include "igaStructure/run/runAlone.hpp"
 #include "tableRows.hpp"

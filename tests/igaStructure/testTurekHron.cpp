@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+using namespace tokay;
 using namespace tokay::structure;
 
 // The structural benchmarks of Turek & Hron 2006: a flag under gravity, its

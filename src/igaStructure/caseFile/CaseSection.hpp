@@ -1,7 +1,7 @@
 #pragma once
 
+#include "common/Formula.hpp"
 #include "common/errors.hpp"
-#include "igaStructure/caseFile/Formula.hpp"
 
 #include <memory>
 #include <string>

@@ -1,7 +1,7 @@
 #include "igaStructure/caseFile/validateCase.hpp"
 
+#include "common/Formula.hpp"
 #include "igaStructure/caseFile/CaseEntry.hpp"
-#include "igaStructure/caseFile/Formula.hpp"
 #include "igaStructure/caseFile/Interval.hpp"
 #include "igaStructure/caseFile/closestWord.hpp"
 

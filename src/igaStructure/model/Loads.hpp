@@ -1,7 +1,7 @@
 #pragma once
 
+#include "common/Formula.hpp"
 #include "geometry/NurbsSurface.hpp"
-#include "igaStructure/caseFile/Formula.hpp"
 
 #include <array>
 #include <vector>

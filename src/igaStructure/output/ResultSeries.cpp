@@ -1,6 +1,6 @@
 #include "igaStructure/output/ResultSeries.hpp"
 
-#include "igaStructure/output/OutputFile.hpp"
+#include "common/OutputFile.hpp"
 #include "igaStructure/output/chosenFields.hpp"
 #include "igaStructure/output/writeVtu.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "igaStructure/output/OutputFile.hpp"
+#include "common/OutputFile.hpp"
 
 #include <Eigen/Core>
 

@@ -1,18 +1,18 @@
 #pragma once
 
-#include "geometry/Points.hpp"
+#include <Eigen/Core>
 
 #include <memory>
 #include <string>
 
-namespace tokay::structure {
+namespace tokay {
 
-/// A number or a formula of the case file in x, y, z [m] and t [s], e.g.
+/// A number or a formula in x, y, z [m] and t [s], e.g.
 /// "100*y*sin(2*pi*t)". Functions are muParser's: sin, cos, tan, exp, ln, sqrt,
 /// abs, min, max, a ? b : c, …; pi and e are constants.
 class Formula {
   public:
-    /// @param where  place in the case file, begins messages
+    /// @param where  place in the case file or command line, begins messages
     /// @throws InputError if it cannot be read
     Formula(const std::string& text, const std::string& where);
     Formula(const Formula&);
@@ -22,7 +22,7 @@ class Formula {
     ~Formula();
 
     /// @throws InputError if the value is not finite; says where and when
-    double operator()(const geometry::Point& at, double t) const;
+    double operator()(const Eigen::Vector3d& at, double t) const;
 
     bool dependsOnTime() const;
     const std::string& text() const;
@@ -32,4 +32,4 @@ class Formula {
     std::unique_ptr<Implementation> implementation_;
 };
 
-} // namespace tokay::structure
+} // namespace tokay

@@ -4,7 +4,7 @@
 
 #include <csignal>
 
-namespace tokay::structure {
+namespace tokay {
 
 /// While it lives no file can grow beyond a size: as if the disk were full.
 class FileSizeLimit {
@@ -23,4 +23,4 @@ class FileSizeLimit {
     rlimit old_;
 };
 
-} // namespace tokay::structure
+} // namespace tokay

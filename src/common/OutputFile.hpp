@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace tokay::structure {
+namespace tokay {
 
 /// A result cannot be written: no space, no permission, no directory.
 class OutputError : public std::runtime_error {
@@ -46,4 +46,4 @@ class OutputFile {
     bool published_ = false;
 };
 
-} // namespace tokay::structure
+} // namespace tokay

@@ -1,4 +1,4 @@
-#include "igaStructure/output/OutputFile.hpp"
+#include "common/OutputFile.hpp"
 
 #include <unistd.h>
 
@@ -6,7 +6,7 @@
 #include <cstring>
 #include <filesystem>
 
-namespace tokay::structure {
+namespace tokay {
 
 OutputFile::OutputFile(const std::string& path)
     : path_(path), temporaryPath_(path + ".part"), file_(nullptr, &std::fclose) {
@@ -55,4 +55,4 @@ void OutputFile::fail(const std::string& path) const {
     throw OutputError("cannot write '" + path + "': " + std::strerror(errno));
 }
 
-} // namespace tokay::structure
+} // namespace tokay

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace tokay::structure {
+namespace tokay {
 
 /// A fresh directory that vanishes with the object.
 class TemporaryDirectory {
@@ -41,4 +41,4 @@ class TemporaryDirectory {
     std::string path_;
 };
 
-} // namespace tokay::structure
+} // namespace tokay

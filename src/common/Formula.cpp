@@ -1,4 +1,4 @@
-#include "igaStructure/caseFile/Formula.hpp"
+#include "common/Formula.hpp"
 
 #include "common/errors.hpp"
 
@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace tokay::structure {
+namespace tokay {
 
 struct Formula::Implementation {
     std::string text;
@@ -56,7 +56,7 @@ Formula::Formula(Formula&&) noexcept = default;
 Formula& Formula::operator=(Formula&&) noexcept = default;
 Formula::~Formula() = default;
 
-double Formula::operator()(const geometry::Point& at, double t) const {
+double Formula::operator()(const Eigen::Vector3d& at, double t) const {
     implementation_->x = at[0];
     implementation_->y = at[1];
     implementation_->z = at[2];
@@ -83,4 +83,4 @@ const std::string& Formula::text() const {
     return implementation_->text;
 }
 
-} // namespace tokay::structure
+} // namespace tokay

@@ -1,0 +1,42 @@
+#include "mapper/MappingReport.hpp"
+
+#include "mapper/MortarMapping.hpp"
+#include "sampleMeshes.hpp"
+#include <gtest/gtest.h>
+#include <limits>
+#include <yaml-cpp/yaml.h>
+
+namespace tokay::mapper {
+
+TEST(MappingReport, asJsonReadsBackToTheSameNumbers) {
+    const SurfaceMesh from = flatMesh(6, 4, FaceKind::quadrilaterals, ValuesAt::faces);
+    const SurfaceMesh to = flatMesh(3, 3, FaceKind::triangles, ValuesAt::vertices);
+    const MappingReport report = MortarMapping(from, to).report();
+    const YAML::Node read = YAML::Load(report.json().text());
+    EXPECT_EQ(read["method"].as<std::string>(), report.method);
+    EXPECT_EQ(read["nPoints"].as<int>(), report.nPoints);
+    EXPECT_EQ(read["nUnmatched"].as<int>(), 0);
+    EXPECT_EQ(read["nAmbiguous"].as<int>(), 0);
+    EXPECT_EQ(read["coverage"].as<double>(), report.coverage);
+    EXPECT_EQ(read["largestGap_m"].as<double>(), report.largestGap);
+    EXPECT_EQ(read["rowSumError"].as<double>(), report.rowSumError);
+    EXPECT_EQ(read["forceSumError"].as<double>(), report.forceSumError);
+    EXPECT_EQ(read["momentError"].as<double>(), report.momentError);
+    EXPECT_EQ(read["nInverted"].as<int>(), 16);
+    EXPECT_EQ(read["rank"].as<int>(), 16);
+    EXPECT_EQ(read["condition"].as<double>(), report.condition);
+    EXPECT_EQ(read["build_s"].as<double>(), report.seconds);
+    EXPECT_EQ(read["memory_byte"].as<double>(), report.bytes);
+    EXPECT_GT(report.condition, 1);
+}
+
+TEST(MappingReport, asJsonSaysNullWhereANumberIsNotFinite) {
+    MappingReport report;
+    report.condition = std::numeric_limits<double>::infinity();
+    report.method = "a \"quoted\"\\name\n";
+    const YAML::Node read = YAML::Load(report.json().text());
+    EXPECT_TRUE(read["condition"].IsNull());
+    EXPECT_EQ(read["method"].as<std::string>(), report.method);
+}
+
+} // namespace tokay::mapper
