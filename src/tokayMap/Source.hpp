@@ -1,0 +1,22 @@
+#pragma once
+
+#include "tokayMap/MapOptions.hpp"
+#include "tokayMap/Side.hpp"
+
+namespace tokay::tool {
+
+/// The side from which is mapped and the values on it.
+struct Source {
+    std::unique_ptr<Side> side;
+    Eigen::MatrixXd values;
+    /// Of the field.
+    std::string name;
+};
+
+/// @throws InputError if a file, the field or the formula is not as it should be
+Source readSource(const MapOptions& options);
+
+/// @throws InputError if the formula cannot be read
+ScalarFunction testFunctionOf(const MapOptions& options);
+
+} // namespace tokay::tool

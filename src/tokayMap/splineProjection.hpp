@@ -1,0 +1,14 @@
+#pragma once
+
+#include "mapper/SurfaceInterface.hpp"
+#include <functional>
+
+namespace tokay::tool {
+
+/// The values of control points whose field is closest to a function, in the mean
+/// square over the patches inside their loops; of least norm where the patches
+/// do not determine them.
+Eigen::VectorXd splineProjection(const mapper::SurfaceInterface& splines,
+                                 const std::function<double(const geometry::Point&)>& function);
+
+} // namespace tokay::tool
