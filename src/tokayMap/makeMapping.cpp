@@ -48,11 +48,12 @@ std::unique_ptr<Mapping> mortar(const Side& from, const Side& to, const Operator
     for (const auto make :
          {mortarBetween<CurveInterface, CurveInterface>, mortarBetween<SurfaceMesh, SurfaceMesh>,
           mortarBetween<SurfaceMesh, SurfaceInterface>,
-          mortarBetween<SurfaceInterface, SurfaceMesh>})
+          mortarBetween<SurfaceInterface, SurfaceMesh>,
+          mortarBetween<SurfaceInterface, SurfaceInterface>})
         if (auto mapping = make(from.discretisation(), to.discretisation(), mortarOptions))
             return mapping;
-    throw InputError(fmt::format("mortar does not map between these two:\n  {}\n  {}\nChoose "
-                                 "nearestElement.",
+    throw InputError(fmt::format("mortar does not map between lines and surfaces:\n  {}\n  {}\n"
+                                 "Choose nearestElement.",
                                  from.description(), to.description()));
 }
 

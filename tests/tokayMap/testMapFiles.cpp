@@ -132,6 +132,32 @@ TEST_F(MapFiles, mapsFromASplineModelByAFormulaAndPrintsTheError) {
     EXPECT_LT(YAML::LoadFile(options.report)["largestError"].as<double>(), 1e-11);
 }
 
+TEST_F(MapFiles, mapsBetweenModelsByMortar) {
+    options.from = options.to = directory.file("plate.json");
+    writeModel(options.from);
+    options.field.clear();
+    options.testFunction = "1 + 2*x - 3*y";
+    options.degree = 2;
+    options.nDivisions = 3;
+    options.mapping.kind = Operator::mortar;
+    options.mapping.mortar.singular = mapper::SingularMass::minimumNorm;
+    mapFiles(options);
+    EXPECT_LT(YAML::LoadFile(options.report)["largestError"].as<double>(), 1e-9);
+}
+
+TEST_F(MapFiles, mapsBetweenLinesButNotByMortarFromLinesToFaces) {
+    options.from = directory.write("a.obj", "v 0 0 0\nv 0.5 0 0\nv 1 0 0\nl 1 2 3\n");
+    const std::string faces = options.to;
+    options.to = directory.write("b.obj", "v 0 0 0\nv 0.3 0 0\nv 1 0 0\nl 1 2\nl 2 3\n");
+    options.field.clear();
+    options.testFunction = "1 + 2*x - 3*y";
+    options.mapping.kind = Operator::mortar;
+    mapFiles(options);
+    EXPECT_LT(largestLinearError(options.output, "values"), 1e-13);
+    options.to = faces;
+    expectInputError([&] { mapFiles(options); }, {"a.obj", "lines", "nearestElement"});
+}
+
 TEST_F(MapFiles, keepsTheSumOfForcesWhateverTheOperatorAndTheDestination) {
     writeSquare(options.from, 7, ValuesAt::faces);
     writeModel(directory.file("plate.json"));
