@@ -1,4 +1,5 @@
-// A large fluid interface onto a trimmed patch: what each operator costs.
+// A large fluid interface onto a trimmed patch: what each operator costs, and
+// whether mortar keeps its goals. Usage: largeInterface RESULTS.csv [quick]
 #include "geometry/curveParts.hpp"
 #include "geometry/primitives.hpp"
 #include "geometry/refinement.hpp"
@@ -133,37 +134,86 @@ Row mortar(const mapper::SurfaceMesh& mesh, const mapper::SurfaceInterface& spli
             largest,  mapping.report()};
 }
 
-void print(const Row& row, std::ofstream& csv) {
-    const std::string line = fmt::format(
-        "{},{},{:.4g},{:.4g},{:.3g},{:.3g},{:.3g},{:.2g},{:.2g},{},{}", row.method, row.nFaces,
-        row.buildSeconds, row.applySeconds, row.gigabytes, row.meanError, row.largestError,
-        row.report.rowSumError, row.report.forceSumError, row.report.nInverted, row.report.rank);
-    fmt::print("{}\n", line);
-    std::fflush(stdout);
-    csv << line << '\n';
+/// How the cost of mortar grows and compares.
+struct Comparison {
+    /// Exponent of the build time against the smallest size; 0 there.
+    double growth;
+    /// Build time over that of the nearest element mapping.
+    double ratio;
+};
+
+/// Goals for the full size of a million faces; "" for smaller ones.
+std::string verdict(const Row& row, const Comparison& comparison) {
+    if (row.nFaces < 1000000)
+        return "";
+    const bool good = row.buildSeconds < 60 && row.gigabytes < 3 && comparison.growth <= 1.15 &&
+                      comparison.ratio <= 10;
+    return good ? "ok" : "MISSED";
+}
+
+class Table {
+  public:
+    explicit Table(const std::string& path) : csv_(path) {
+        write("operator,nFaces,build_s,apply_s,peakMemory_GB,meanError,largestError,constantError,"
+              "forceSumError,nInverted,rank,growthExponent,ratioToNearestElement,verdict");
+    }
+
+    void add(const Row& row) { write(cells(row) + ",,,"); }
+    void add(const Row& row, const Comparison& comparison) {
+        const std::string judged = verdict(row, comparison);
+        isGood_ = isGood_ && judged != "MISSED";
+        write(cells(row) +
+              fmt::format(",{:.3g},{:.3g},{}", comparison.growth, comparison.ratio, judged));
+    }
+    bool isGood() const { return isGood_; }
+
+  private:
+    static std::string cells(const Row& row) {
+        return fmt::format("{},{},{:.4g},{:.4g},{:.3g},{:.3g},{:.3g},{:.2g},{:.2g},{},{}",
+                           row.method, row.nFaces, row.buildSeconds, row.applySeconds,
+                           row.gigabytes, row.meanError, row.largestError, row.report.rowSumError,
+                           row.report.forceSumError, row.report.nInverted, row.report.rank);
+    }
+    void write(const std::string& line) {
+        fmt::print("{}\n", line);
+        std::fflush(stdout);
+        csv_ << line << '\n';
+    }
+
+    std::ofstream csv_;
+    bool isGood_ = true;
+};
+
+bool measureAll(const std::vector<int>& sizes, Table& table) {
+    const mapper::SurfaceInterface splines = trimmedPatch();
+    double firstSeconds = 0, firstFaces = 0;
+    for (const int n : sizes) {
+        const mapper::SurfaceMesh mesh = fluidMesh(n);
+        const Row nearest = nearestElement(mesh, splines);
+        table.add(nearest);
+        const Row row = mortar(mesh, splines);
+        if (firstFaces == 0) {
+            firstSeconds = row.buildSeconds;
+            firstFaces = row.nFaces;
+        }
+        const double growth = row.nFaces > firstFaces ? std::log(row.buildSeconds / firstSeconds) /
+                                                            std::log(row.nFaces / firstFaces)
+                                                      : 0;
+        table.add(row, {growth, row.buildSeconds / nearest.buildSeconds});
+    }
+    return table.isGood();
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
     try {
-        std::ofstream csv(argc > 1 ? argv[1] : "largeInterface.csv");
-        const std::string header =
-            "method,nFaces,build_s,apply_s,peakMemory_GB,meanError,largestError,"
-            "constantError,forceSumError,nInverted,rank";
-        fmt::print("{}\n", header);
-        csv << header << '\n';
-        const mapper::SurfaceInterface splines = trimmedPatch();
+        Table table(argc > 1 ? argv[1] : "largeInterface.csv");
         const std::vector<int> sizes =
             argc > 2 ? std::vector<int>{50, 100, 200} : std::vector<int>{100, 316, 1000};
-        for (const int n : sizes) {
-            const mapper::SurfaceMesh mesh = fluidMesh(n);
-            print(nearestElement(mesh, splines), csv);
-            print(mortar(mesh, splines), csv);
-        }
+        return measureAll(sizes, table) ? 0 : 1;
     } catch (const std::exception& error) {
         fmt::print(stderr, "{}\n", error.what());
         return 1;
     }
-    return 0;
 }
