@@ -50,6 +50,14 @@ class StructuralModel {
     /// The model's own loads at a time [N].
     virtual const Eigen::VectorXd& externalForce(double time) = 0;
 
+    /// Adds loads that follow the displacement [N]; a linear model has none.
+    virtual void addFollowerForce(const Eigen::VectorXd& /*displacement*/, double /*time*/,
+                                  Eigen::VectorXd& /*force*/) const {}
+
+    /// Subtracts their derivative, or its symmetric part, from a tangent.
+    virtual void subtractFollowerDerivative(const Eigen::VectorXd& /*displacement*/,
+                                            double /*time*/, SparseMatrix& /*tangent*/) const {}
+
     /// Unknowns that are zero.
     virtual const std::vector<bool>& fixed() const = 0;
 

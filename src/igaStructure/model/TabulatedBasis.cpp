@@ -4,7 +4,8 @@
 
 namespace tokay::structure {
 
-TabulatedBasis::TabulatedBasis(const geometry::KnotVector& knots, int nPointsPerSpan)
+TabulatedBasis::TabulatedBasis(const geometry::KnotVector& knots, int nPointsPerSpan,
+                               int nDerivatives)
     : degree_(knots.degree()), nPoints_(nPointsPerSpan) {
     const GaussRule rule = gaussRule(nPoints_);
     const std::vector<double>& breakpoints = knots.breakpoints();
@@ -16,7 +17,7 @@ TabulatedBasis::TabulatedBasis(const geometry::KnotVector& knots, int nPointsPer
             const double xi = breakpoints[k] + rule.points[g] * length;
             parameters_.push_back(xi);
             weights_.push_back(rule.weights[g] * length);
-            basis_.push_back(knots.basisDerivatives(span, xi, 1));
+            basis_.push_back(knots.basisDerivatives(span, xi, nDerivatives));
         }
     }
 }

@@ -8,11 +8,11 @@
 
 namespace tokay::structure {
 
-/// The functions of a knot vector and their first derivatives at the Gauss
-/// points of every span that is not empty, evaluated once.
+/// The functions of a knot vector and their derivatives at the Gauss points of
+/// every span that is not empty, evaluated once.
 class TabulatedBasis {
   public:
-    TabulatedBasis(const geometry::KnotVector& knots, int nPointsPerSpan);
+    TabulatedBasis(const geometry::KnotVector& knots, int nPointsPerSpan, int nDerivatives = 1);
 
     int nSpans() const { return static_cast<int>(firstFunctions_.size()); }
     int nPointsPerSpan() const { return nPoints_; }
@@ -22,7 +22,7 @@ class TabulatedBasis {
     /// Number of the first function that is not zero on a span.
     int firstFunction(int span) const { return firstFunctions_[span]; }
 
-    /// Row 0: values, row 1: derivatives; a column a function.
+    /// Row k: k-th derivatives; a column a function.
     const Eigen::MatrixXd& at(int span, int point) const { return basis_[span * nPoints_ + point]; }
     double parameter(int span, int point) const { return parameters_[span * nPoints_ + point]; }
     double weight(int span, int point) const { return weights_[span * nPoints_ + point]; }

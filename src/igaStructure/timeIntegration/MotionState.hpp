@@ -10,7 +10,7 @@ struct MotionState {
     Eigen::VectorXd displacement; ///< [m]
     Eigen::VectorXd velocity;     ///< [m/s]
     Eigen::VectorXd acceleration; ///< [m/s^2]
-    Eigen::VectorXd force;        ///< external, interface included [N]
+    Eigen::VectorXd force;        ///< external but for follower loads, interface included [N]
 };
 
 } // namespace tokay::structure

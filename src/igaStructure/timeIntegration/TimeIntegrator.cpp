@@ -44,6 +44,7 @@ TimeIntegrator::TimeIntegrator(StructuralModel& model, const TimeScheme& scheme,
     state_.velocity = state_.displacement;
     state_.acceleration = state_.displacement;
     state_.force = model.externalForce(startTime);
+    followerForce_ = followerForce(state_.displacement, startTime);
     model_.internalForce(state_.displacement, stiffness_);
     internalRounding_ = std::numeric_limits<double>::epsilon() *
                         VectorXd(stiffness_.diagonal()).norm() * model.size();
@@ -59,7 +60,7 @@ TimeIntegrator::TimeIntegrator(StructuralModel& model, const TimeScheme& scheme,
 void TimeIntegrator::setInitialAcceleration() {
     solver_.factorise(mass_);
     ++nFactorisations_;
-    state_.acceleration = solver_.solve(state_.force);
+    state_.acceleration = solver_.solve(state_.force + followerForce_);
 }
 
 void TimeIntegrator::beginTimeStep(double time, double deltaT) {
@@ -131,6 +132,16 @@ VectorXd TimeIntegrator::atAlphaF(const VectorXd& start, const VectorXd& end) co
     return (1 - scheme_.alphaF) * end + scheme_.alphaF * start;
 }
 
+double TimeIntegrator::middleTime() const {
+    return time_ - scheme_.alphaF * deltaT_;
+}
+
+VectorXd TimeIntegrator::followerForce(const VectorXd& displacement, double time) const {
+    VectorXd force = VectorXd::Zero(displacement.size());
+    model_.addFollowerForce(displacement, time, force);
+    return force;
+}
+
 TimeIntegrator::Balance TimeIntegrator::balance(const VectorXd& displacement) const {
     const VectorXd middle = atAlphaF(state_.displacement, displacement);
     StructuralModel::Internal internal;
@@ -142,7 +153,7 @@ TimeIntegrator::Balance TimeIntegrator::balance(const VectorXd& displacement) co
     Balance balance;
     balance.rounding = internalRounding_;
     balance.smallestVolumeRatio = internal.smallestVolumeRatio;
-    const VectorXd external = atAlphaF(state_.force, force_);
+    const VectorXd external = atAlphaF(state_.force, force_) + followerForce(middle, middleTime());
     balance.residual = external - internal.force;
     // Reactions at supports are in balance too, so the norms are of whole vectors.
     balance.scale = std::max({external.norm(), internal.force.norm(), balance.rounding});
@@ -214,7 +225,9 @@ void TimeIntegrator::solveNonlinear() {
         if (residuals_.back() <= newton_.tolerance || current.residual.norm() <= current.rounding) {
             return;
         }
-        model_.internalForce(atAlphaF(state_.displacement, displacement_), tangent_);
+        const VectorXd middle = atAlphaF(state_.displacement, displacement_);
+        model_.internalForce(middle, tangent_);
+        model_.subtractFollowerDerivative(middle, middleTime(), tangent_);
         factorise();
         current = update(solver_.solve(current.residual), current);
     }
@@ -258,7 +271,10 @@ void TimeIntegrator::updateEnergies(const MotionState& next) {
     const VectorXd motion = next.displacement - state_.displacement;
     energies_.kinetic = 0.5 * next.velocity.dot(mass_ * next.velocity);
     energies_.strain = model_.strainEnergy(next.displacement);
-    energies_.externalWork += 0.5 * motion.dot(next.force + state_.force);
+    const VectorXd followerForce = this->followerForce(next.displacement, next.time);
+    energies_.externalWork +=
+        0.5 * motion.dot(next.force + state_.force + followerForce + followerForce_);
+    followerForce_ = followerForce;
     energies_.dampingWork +=
         0.5 * motion.dot(dampingForce(next.velocity) + dampingForce(state_.velocity));
 }

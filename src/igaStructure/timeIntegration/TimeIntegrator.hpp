@@ -80,6 +80,8 @@ class TimeIntegrator {
     Eigen::VectorXd velocityFor(const Eigen::VectorXd& acceleration) const;
     Eigen::VectorXd dampingForce(const Eigen::VectorXd& velocity) const;
     Eigen::VectorXd atAlphaF(const Eigen::VectorXd& start, const Eigen::VectorXd& end) const;
+    double middleTime() const;
+    Eigen::VectorXd followerForce(const Eigen::VectorXd& displacement, double time) const;
     Balance balance(const Eigen::VectorXd& displacement) const;
     void factorise();
     void setInitialAcceleration();
@@ -101,6 +103,7 @@ class TimeIntegrator {
     double inertiaRounding_;  ///< the same of inertia, per acceleration [N s^2/m]
 
     MotionState state_;
+    Eigen::VectorXd followerForce_; ///< at the state
     Energies energies_;
 
     double time_ = 0;

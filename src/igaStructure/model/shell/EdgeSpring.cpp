@@ -1,0 +1,193 @@
+#include "igaStructure/model/shell/EdgeSpring.hpp"
+
+#include "igaStructure/model/shell/UnitNormal.hpp"
+
+#include <Eigen/Geometry>
+
+namespace tokay::structure {
+
+using Eigen::Matrix3d;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+namespace {
+
+VectorXd gather(const std::vector<int>& nodes, const VectorXd& displacement) {
+    VectorXd local(3 * nodes.size());
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+        local.segment<3>(3 * static_cast<Eigen::Index>(k)) = displacement.segment<3>(3 * nodes[k]);
+    }
+    return local;
+}
+
+// Unit tangent t of an edge, t1 a1 + t2 a2 made a unit vector.
+class UnitTangent {
+  public:
+    UnitTangent(const Eigen::Matrix<double, 3, 2>& a, const Eigen::Vector2d& parameters)
+        : parameters_(parameters), tangent_(a * parameters), length_(tangent_.norm()) {
+        tangent_ /= length_;
+    }
+    const Vector3d& value() const { return tangent_; }
+    Eigen::Matrix<double, 3, 6> derivative() const { return byBaseVectors(projector() / length_); }
+    Matrix6d hessian(const Vector3d& direction) const {
+        const double along = direction.dot(tangent_);
+        const Vector3d across = direction - along * tangent_;
+        const Matrix3d second =
+            -(across * tangent_.transpose() + tangent_ * across.transpose() + along * projector()) /
+            (length_ * length_);
+        Matrix6d hessian;
+        for (int i = 0; i < 2; ++i) {
+            for (int j = 0; j < 2; ++j) {
+                hessian.block<3, 3>(3 * i, 3 * j) = parameters_[i] * parameters_[j] * second;
+            }
+        }
+        return hessian;
+    }
+
+  private:
+    Matrix3d projector() const { return Matrix3d::Identity() - tangent_ * tangent_.transpose(); }
+    Eigen::Matrix<double, 3, 6> byBaseVectors(const Matrix3d& byTangent) const {
+        Eigen::Matrix<double, 3, 6> derivative;
+        derivative << parameters_[0] * byTangent, parameters_[1] * byTangent;
+        return derivative;
+    }
+
+    Eigen::Vector2d parameters_;
+    Vector3d tangent_;
+    double length_;
+};
+
+} // namespace
+
+EdgeSpring::EdgeSpring(const PatchPlace& side, const PatchPlace* other) : nodes_(side.nodes) {
+    if (other) {
+        nodes_.insert(nodes_.end(), other->nodes.begin(), other->nodes.end());
+    }
+}
+
+DisplacementSpring::DisplacementSpring(const PatchPlace& side, const PatchPlace* other,
+                                       const std::array<bool, 3>& components, double stiffness)
+    : EdgeSpring(side, other), components_(components), stiffness_(stiffness), row_(nodes_.size()) {
+    row_.head(side.N.cols()) = side.N.row(0);
+    if (other) {
+        row_.tail(other->N.cols()) = -other->N.row(0);
+    }
+}
+
+EdgeSpring::Answer DisplacementSpring::answer(const VectorXd& displacement, Strains) const {
+    const MatrixXd rows = restRows();
+    const VectorXd held = rows * gather(nodes_, displacement);
+    return {stiffness_ * rows.transpose() * held, stiffness_ * rows.transpose() * rows,
+            0.5 * stiffness_ * held.squaredNorm()};
+}
+
+MatrixXd DisplacementSpring::restRows() const {
+    MatrixXd rows = MatrixXd::Zero(3, 3 * row_.size());
+    for (int c = 0; c < 3; ++c) {
+        if (components_[c]) {
+            for (Eigen::Index k = 0; k < row_.size(); ++k) {
+                rows(c, 3 * k + c) = row_[k];
+            }
+        }
+    }
+    return rows;
+}
+
+RotationSpring::RotationSpring(const PatchPlace& side, const PatchPlace* other, double stiffness)
+    : EdgeSpring(side, other), places_{side}, stiffness_(stiffness),
+      conormal_(side.normal().cross(side.baseVectors * side.tangent)) {
+    if (other) {
+        places_.push_back(*other);
+    }
+    rows_ = MatrixXd::Zero(6 * static_cast<Eigen::Index>(places_.size()), 3 * nodes_.size());
+    Eigen::Index column = 0;
+    for (std::size_t place = 0; place < places_.size(); ++place) {
+        const MatrixXd& N = places_[place].N;
+        for (Eigen::Index k = 0; k < N.cols(); ++k, column += 3) {
+            for (int i = 0; i < 2; ++i) {
+                rows_.block<3, 3>(6 * static_cast<Eigen::Index>(place) + 3 * i, column)
+                    .diagonal()
+                    .setConstant(N(1 + i, k));
+            }
+        }
+    }
+    atRest_ = measures(current(VectorXd()));
+}
+
+RotationSpring::BaseVectors RotationSpring::current(const VectorXd& displacement) const {
+    BaseVectors a;
+    VectorXd change = VectorXd::Zero(rows_.rows());
+    if (displacement.size() > 0) {
+        change = rows_ * gather(nodes_, displacement);
+    }
+    for (std::size_t place = 0; place < places_.size(); ++place) {
+        a.push_back(places_[place].baseVectors +
+                    Eigen::Map<const Eigen::Matrix<double, 3, 2>>(change.data() + 6 * place));
+    }
+    return a;
+}
+
+std::vector<RotationSpring::Measure> RotationSpring::measures(const BaseVectors& a) const {
+    const UnitNormal n(a[0].col(0), a[0].col(1));
+    if (places_.size() == 1) {
+        return {{n.value().dot(conormal_), n.gradient(conormal_), n.hessian(conormal_)}};
+    }
+    const UnitNormal m(a[1].col(0), a[1].col(1));
+    const UnitTangent t(a[0], places_[0].tangent);
+    const Eigen::Matrix<double, 3, 6> dn = n.derivative();
+    const Eigen::Matrix<double, 3, 6> dm = m.derivative();
+    const Eigen::Matrix<double, 3, 6> dt = t.derivative();
+
+    Measure cosine{n.value().dot(m.value()), VectorXd(12), MatrixXd(12, 12)};
+    cosine.gradient << n.gradient(m.value()), m.gradient(n.value());
+    cosine.hessian << n.hessian(m.value()), dn.transpose() * dm, dm.transpose() * dn,
+        m.hessian(n.value());
+
+    // t . (m x n), the sine of the angle between the normals.
+    const Vector3d byT = m.value().cross(n.value());
+    const Vector3d byM = n.value().cross(t.value());
+    const Vector3d byN = t.value().cross(m.value());
+    Measure sine{t.value().dot(byT), VectorXd(12), MatrixXd(12, 12)};
+    sine.gradient << dt.transpose() * byT + n.gradient(byN), m.gradient(byM);
+    const Matrix6d tn = dt.transpose() * skew(m.value()) * dn;
+    const Matrix6d tm = -dt.transpose() * skew(n.value()) * dm;
+    const Matrix6d mn = -dm.transpose() * skew(t.value()) * dn;
+    const Matrix6d own = t.hessian(byT) + n.hessian(byN) + tn + tn.transpose();
+    const Matrix6d mixed = tm + mn.transpose();
+    sine.hessian << own, mixed, mixed.transpose(), m.hessian(byM);
+    return {cosine, sine};
+}
+
+EdgeSpring::Answer RotationSpring::answer(const VectorXd& displacement, Strains strains) const {
+    if (strains == Strains::linear) {
+        const MatrixXd rows = restRows();
+        const VectorXd held = rows * gather(nodes_, displacement);
+        return {stiffness_ * rows.transpose() * held, stiffness_ * rows.transpose() * rows,
+                0.5 * stiffness_ * held.squaredNorm()};
+    }
+    Answer answer;
+    VectorXd gradient = VectorXd::Zero(rows_.rows());
+    MatrixXd hessian = MatrixXd::Zero(rows_.rows(), rows_.rows());
+    const std::vector<Measure> now = measures(current(displacement));
+    for (std::size_t k = 0; k < now.size(); ++k) {
+        const double change = now[k].value - atRest_[k].value;
+        gradient += stiffness_ * change * now[k].gradient;
+        hessian +=
+            stiffness_ * (now[k].gradient * now[k].gradient.transpose() + change * now[k].hessian);
+        answer.energy += 0.5 * stiffness_ * change * change;
+    }
+    answer.force = rows_.transpose() * gradient;
+    answer.tangent = rows_.transpose() * hessian * rows_;
+    return answer;
+}
+
+MatrixXd RotationSpring::restRows() const {
+    MatrixXd rows(atRest_.size(), rows_.cols());
+    for (std::size_t k = 0; k < atRest_.size(); ++k) {
+        rows.row(static_cast<Eigen::Index>(k)) = atRest_[k].gradient.transpose() * rows_;
+    }
+    return rows;
+}
+
+} // namespace tokay::structure

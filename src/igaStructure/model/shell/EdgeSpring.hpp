@@ -1,0 +1,83 @@
+#pragma once
+
+#include "igaStructure/model/Strains.hpp"
+#include "igaStructure/model/shell/EdgePoint.hpp"
+
+#include <array>
+
+namespace tokay::structure {
+
+/// Energy that holds a place of a shell, or two places together (penalty).
+class EdgeSpring {
+  public:
+    /// What it adds to an element of its nodes.
+    struct Answer {
+        Eigen::VectorXd force;   ///< component c of node k is number 3 k + c
+        Eigen::MatrixXd tangent; ///< symmetric
+        double energy = 0;
+    };
+
+    virtual ~EdgeSpring() = default;
+
+    /// Of the place, then of the other one.
+    const std::vector<int>& nodes() const { return nodes_; }
+
+    /// @param displacement  of all nodes of the shell
+    virtual Answer answer(const Eigen::VectorXd& displacement, Strains strains) const = 0;
+
+    /// Derivative of what is held by the displacement of the nodes at rest: a row
+    /// each.
+    virtual Eigen::MatrixXd restRows() const = 0;
+
+  protected:
+    explicit EdgeSpring(const PatchPlace& side, const PatchPlace* other);
+
+    std::vector<int> nodes_;
+};
+
+/// Holds components of the displacement, or of its jump.
+class DisplacementSpring : public EdgeSpring {
+  public:
+    /// @param stiffness  energy is stiffness/2 times displacement squared [N/m]
+    DisplacementSpring(const PatchPlace& side, const PatchPlace* other,
+                       const std::array<bool, 3>& components, double stiffness);
+
+    Answer answer(const Eigen::VectorXd& displacement, Strains strains) const override;
+    Eigen::MatrixXd restRows() const override;
+
+  private:
+    std::array<bool, 3> components_;
+    double stiffness_;
+    Eigen::RowVectorXd row_; ///< functions, those of the other place negative
+};
+
+/// Holds the rotation about the edge's tangent, or the angle between two patches.
+/// Source: Herrema, Johnson, Proserpio, Wu, Kiendl & Hsu 2019, equation 21
+class RotationSpring : public EdgeSpring {
+  public:
+    /// Places are copied.
+    /// @param stiffness  energy is stiffness/2 times angle squared, if small [N m]
+    RotationSpring(const PatchPlace& side, const PatchPlace* other, double stiffness);
+
+    Answer answer(const Eigen::VectorXd& displacement, Strains strains) const override;
+    Eigen::MatrixXd restRows() const override;
+
+  private:
+    // What is held, as a function of the base vectors of one or both places.
+    struct Measure {
+        double value;
+        Eigen::VectorXd gradient;
+        Eigen::MatrixXd hessian;
+    };
+    using BaseVectors = std::vector<Eigen::Matrix<double, 3, 2>>;
+    std::vector<Measure> measures(const BaseVectors& a) const;
+    BaseVectors current(const Eigen::VectorXd& displacement) const;
+
+    std::vector<PatchPlace> places_;
+    double stiffness_;
+    Eigen::MatrixXd rows_; ///< base vectors' change is rows_ times the nodes' displacement
+    std::vector<Measure> atRest_;
+    Eigen::Vector3d conormal_; ///< at rest
+};
+
+} // namespace tokay::structure

@@ -1,0 +1,105 @@
+#pragma once
+
+#include "geometry/BrepModel.hpp"
+#include "geometry/PatchQuadrature.hpp"
+#include "igaStructure/model/Strains.hpp"
+
+#include <array>
+#include <functional>
+#include <vector>
+
+namespace tokay::structure {
+
+/// Material of a shell or membrane.
+struct ShellMaterial {
+    double youngsModulus = 0; ///< [Pa]
+    double poissonsRatio = 0;
+    double density = 0;          ///< reference configuration [kg/m^3]
+    double massDamping = 0;      ///< Rayleigh [1/s]
+    double stiffnessDamping = 0; ///< Rayleigh [s]
+};
+
+/// A vector or number given by place in the reference configuration and time.
+template <class Value>
+struct Field {
+    std::function<Value(const geometry::Point&, double)> value;
+    bool dependsOnTime = false;
+
+    static Field constant(const Value& value) {
+        return {[value](const geometry::Point&, double) { return value; }, false};
+    }
+};
+using VectorField = Field<Eigen::Vector3d>;
+using ScalarField = Field<double>;
+
+/// An edge that is held.
+struct EdgeSupport {
+    /// The edge: trimming curves of faces.
+    std::vector<geometry::BrepTrim> trims;
+    std::array<bool, 3> fixed = {false, false, false};
+    /// Whether the surface cannot turn about the edge.
+    bool clamped = false;
+    /// By penalty even where the basis could do it exactly.
+    bool weak = false;
+};
+
+/// A place of a face that is held.
+struct PointSupport {
+    int face = 0;
+    geometry::Parameters at;
+    std::array<bool, 3> fixed = {false, false, false};
+};
+
+/// Loads of a shell; those that follow the deformation are pressure and moment.
+struct ShellLoads {
+    struct Traction {
+        int face;
+        VectorField traction; ///< per reference area [Pa]
+    };
+    struct Pressure {
+        int face;
+        ScalarField pressure; ///< along a1 x a2, on the current area [Pa]
+    };
+    struct EdgeForce {
+        geometry::BrepTrim trim;
+        VectorField force; ///< per reference length [N/m]
+    };
+    struct EdgeMoment {
+        geometry::BrepTrim trim;
+        ScalarField moment; ///< turns a1 x a2 outwards across the edge [N]
+    };
+    struct PointForce {
+        int face;
+        geometry::Parameters at;
+        VectorField force; ///< [N]
+    };
+
+    std::vector<Traction> tractions;
+    std::vector<Pressure> pressures;
+    std::vector<VectorField> gravities; ///< acceleration [m/s^2]
+    std::vector<EdgeForce> edgeForces;
+    std::vector<EdgeMoment> edgeMoments;
+    std::vector<PointForce> pointForces;
+};
+
+/// All that makes a shell or membrane.
+struct ShellDescription {
+    /// Faces in the basis of the displacement; they are joined at edges of two or
+    /// more trims, displacement and angle.
+    geometry::BrepModel model;
+    std::vector<double> thickness; ///< of each face [m]
+    ShellMaterial material = {};
+    Strains strains = Strains::nonlinear;
+    bool bending = true; ///< false: a membrane
+    /// Of a membrane: 11, 22, 12 in the frame of the first parameter line [Pa].
+    Eigen::Vector3d prestress = Eigen::Vector3d::Zero();
+    std::vector<EdgeSupport> edgeSupports = {};
+    std::vector<PointSupport> pointSupports = {};
+    ShellLoads loads = {};
+    /// Stiffness of springs that hold weakly, over E t / ((1 - nu^2) h) and
+    /// E t^3 / (12 (1 - nu^2) h), h being the size of an element.
+    double penalty = 1e3;
+    geometry::QuadratureOptions cutRule = {};
+};
+
+} // namespace tokay::structure
