@@ -9,7 +9,7 @@ foreach(part common geometry mapper)
     string(SUBSTRING ${part} 1 -1 rest)
     string(TOUPPER ${first} first)
     set(target tokay${first}${rest})
-    set_target_properties(${target} PROPERTIES EXPORT_NAME ${part})
+    set_target_properties(${target} PROPERTIES EXPORT_NAME ${part} INSTALL_RPATH "$ORIGIN")
     install(TARGETS ${target} EXPORT TokayTargets COMPONENT library
             INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/tokay)
     foreach(folder ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR})

@@ -10,11 +10,11 @@ Table::Table(const std::string& path) : csv_(path) {
     if (!csv_)
         throw std::runtime_error("cannot write " + path);
     csv_ << "pair,operator,n,nFrom,nTo,build_s,apply_s,memory_MB,smoothError,smoothLargestError,"
-            "shockError,shockLargestError,forceSumError,momentError\n";
+            "shockError,shockOvershoot,forceSumError,momentError\n";
     fmt::print("{:<26} {:<20} {:>5} {:>6} {:>6} {:>8} {:>8} {:>7} {:>8} {:>8} {:>8} {:>8} {:>8} "
                "{:>8}\n",
                "pair", "operator", "n", "from", "to", "build/s", "apply/s", "MB", "smooth",
-               "largest", "shock", "largest", "force", "moment");
+               "largest", "shock", "over", "force", "moment");
 }
 
 void Table::add(const Row& row) {
@@ -22,12 +22,12 @@ void Table::add(const Row& row) {
                         "{:.1e}\n",
                         row.pair, row.method, row.n, row.nFrom, row.nTo, row.buildSeconds,
                         row.applySeconds, row.megabytes, row.smoothMean, row.smoothLargest,
-                        row.shockMean, row.shockLargest, row.forceSumError, row.momentError);
+                        row.shockMean, row.shockOvershoot, row.forceSumError, row.momentError);
     csv_.flush();
     fmt::print("{:<26} {:<20} {:>5} {:>6} {:>6} {:>8.2g} {:>8.2g} {:>7.2g} {:>8.2g} {:>8.2g} "
                "{:>8.2g} {:>8.2g} {:>8.1e} {:>8.1e}\n",
                row.pair, row.method, row.n, row.nFrom, row.nTo, row.buildSeconds, row.applySeconds,
-               row.megabytes, row.smoothMean, row.smoothLargest, row.shockMean, row.shockLargest,
+               row.megabytes, row.smoothMean, row.smoothLargest, row.shockMean, row.shockOvershoot,
                row.forceSumError, row.momentError);
     std::fflush(stdout);
     rows_.push_back(row);

@@ -12,7 +12,9 @@ struct Row {
     int n, nFrom, nTo;
     double buildSeconds, applySeconds, megabytes;
     /// Root mean square and largest error at the samples.
-    double smoothMean, smoothLargest, shockMean, shockLargest;
+    double smoothMean, smoothLargest;
+    /// Root mean square error, and how far the result leaves the range 0 to 1.
+    double shockMean, shockOvershoot;
     double forceSumError, momentError;
     /// Of the smooth field's error, that theory gives; 0: none.
     double expectedOrder;

@@ -4,6 +4,7 @@
 #include "mapper/RbfMapping.hpp"
 #include "mapper/Stopwatch.hpp"
 #include "pairs.hpp"
+#include <algorithm>
 #include <cmath>
 
 namespace tokay::benchmark {
@@ -14,7 +15,9 @@ using Eigen::VectorXd;
 using mapper::Mapping;
 
 /// Points over a hole are counted, not refused.
-const mapper::GapLimit gapLimit{0.1, false};
+const mapper::GapLimit gapLimit{0.01, false};
+/// Between points, a cell.
+const mapper::GapLimit pointGapLimit{0.1, false};
 /// Beyond it the dense matrix of the thin plate takes minutes.
 constexpr int mostThinPlatePoints = 4500;
 
@@ -31,7 +34,7 @@ Method radial(const std::string& name, mapper::RadialKernel kernel) {
     return {name, [=](const Setup& setup) {
                 mapper::RbfOptions options;
                 options.kernel = kernel;
-                options.gapLimit = gapLimit;
+                options.gapLimit = pointGapLimit;
                 return std::make_unique<mapper::RbfMapping>(setup.from->coordinates(),
                                                             setup.samples, options);
             }};
@@ -58,7 +61,7 @@ std::vector<Method> methodsFor(const Pair& pair) {
     methods.push_back({"nearestNeighbour", [](const Setup& setup) {
                            return std::make_unique<mapper::NearestElementMapping>(
                                mapper::PointCloud(setup.from->coordinates()), setup.samples,
-                               gapLimit);
+                               pointGapLimit);
                        }});
     methods.push_back({"nearestElement",
                        [](const Setup& setup) {
@@ -91,6 +94,11 @@ Errors errorsOf(const VectorXd& samples, const Setup& setup, Field field, bool l
     return {std::sqrt(squared / n), largest};
 }
 
+/// How far a result leaves the range of the shock, 0 to 1.
+double overshootOf(const VectorXd& samples) {
+    return std::max({0.0, samples.maxCoeff() - 1, -samples.minCoeff()});
+}
+
 double applySeconds(const Mapping& mapping, const VectorXd& values) {
     constexpr int nTimes = 5;
     const mapper::Stopwatch watch;
@@ -102,11 +110,12 @@ double applySeconds(const Mapping& mapping, const VectorXd& values) {
 Row rowOf(const Pair& pair, int n, const Method& method, const Setup& setup) {
     const auto mapping = method.make(setup);
     const bool leavesOutHole = pair.name.find("trimmed") != std::string::npos;
+    VectorXd samples[nFields];
     Errors errors[nFields];
     for (const Field field : {smooth, shock}) {
         const VectorXd mapped = mapping->apply(setup.values[field]);
-        errors[field] = errorsOf(method.givesValues ? setup.sampled(mapped) : mapped, setup, field,
-                                 leavesOutHole);
+        samples[field] = method.givesValues ? setup.sampled(mapped) : mapped;
+        errors[field] = errorsOf(samples[field], setup, field, leavesOutHole);
     }
     const mapper::MappingReport& report = mapping->report();
     const auto expected = pair.orders.find(method.name);
@@ -121,7 +130,7 @@ Row rowOf(const Pair& pair, int n, const Method& method, const Setup& setup) {
             errors[smooth].mean,
             errors[smooth].largest,
             errors[shock].mean,
-            errors[shock].largest,
+            overshootOf(samples[shock]),
             report.forceSumError,
             report.momentError,
             expected == pair.orders.end() ? 0 : expected->second};
