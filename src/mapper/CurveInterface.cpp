@@ -44,8 +44,10 @@ Location CurveInterface::locate(const Point& point) const {
             found.onCurve.converged, found.onCurve.ambiguous};
 }
 
-CurveInterface lineMesh(const Points& vertices, const std::vector<std::array<int, 2>>& elements) {
+CurveInterface lineMesh(const Points& vertices, const std::vector<std::array<int, 2>>& elements,
+                        ValuesAt valuesAt) {
     std::vector<std::unique_ptr<InterfaceCurve>> curves;
+    Points centres(elements.size(), 3);
     for (std::size_t i = 0; i < elements.size(); ++i) {
         const auto [first, last] = elements[i];
         for (const int vertex : {first, last})
@@ -58,10 +60,12 @@ CurveInterface lineMesh(const Points& vertices, const std::vector<std::array<int
         if (!((ends.row(1) - ends.row(0)).norm() > 0))
             throw InputError(
                 fmt::format("Line element {} (vertices {} and {}) has no length.", i, first, last));
-        curves.push_back(interfaceCurve(
-            geometry::NurbsCurve(geometry::KnotVector::uniform(1, 1), ends), {first, last}));
+        const geometry::NurbsCurve line(geometry::KnotVector::uniform(1, 1), ends);
+        curves.push_back(valuesAt == ValuesAt::vertices ? interfaceCurve(line, {first, last})
+                                                        : interfaceCell(line, static_cast<int>(i)));
+        centres.row(i) = ends.colwise().mean();
     }
-    return CurveInterface(std::move(curves), vertices);
+    return CurveInterface(std::move(curves), valuesAt == ValuesAt::vertices ? vertices : centres);
 }
 
 } // namespace tokay::mapper

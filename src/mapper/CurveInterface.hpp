@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mapper/InterfaceCurve.hpp"
+#include "mapper/ValuesAt.hpp"
 #include <array>
 
 namespace tokay::mapper {
@@ -34,11 +35,13 @@ class CurveInterface : public Discretisation {
     std::unique_ptr<geometry::BoxTree> tree_;
 };
 
-/// Line elements with a value at each vertex.
+/// Line elements with a value at each vertex, or one on each element (a face of a
+/// finite volume mesh, constant over it).
 /// @param vertices  n x 3 [m]
 /// @param elements  first and last vertex of each
 /// @throws InputError for an element without length or with a vertex that does
 /// not exist, and if there is none
-CurveInterface lineMesh(const Points& vertices, const std::vector<std::array<int, 2>>& elements);
+CurveInterface lineMesh(const Points& vertices, const std::vector<std::array<int, 2>>& elements,
+                        ValuesAt valuesAt = ValuesAt::vertices);
 
 } // namespace tokay::mapper

@@ -1,5 +1,7 @@
 #include "mapper/InterfaceCurve.hpp"
 
+#include "mapper/normalSlopes.hpp"
+
 namespace tokay::mapper {
 
 namespace {
@@ -30,6 +32,24 @@ class SplineCurve : public InterfaceCurve {
     std::vector<int> controlPoints_;
 };
 
+class Cell : public InterfaceCurve {
+  public:
+    Cell(const geometry::NurbsCurve& line, int value) : curve_(line, {}), value_(value) {}
+
+    const std::vector<double>& breakpoints() const override { return curve_.breakpoints(); }
+    int degree() const override { return 0; }
+    Points derivatives(double xi, int n) const override { return curve_.derivatives(xi, n); }
+    geometry::CurveProjection closest(const Point& point) const override {
+        return curve_.closest(point);
+    }
+    Functions functions(double) const override { return {{value_}, Eigen::VectorXd::Ones(1)}; }
+    geometry::Box box() const override { return curve_.box(); }
+
+  private:
+    SplineCurve curve_;
+    int value_;
+};
+
 class TrimmedEdge : public InterfaceCurve {
   public:
     TrimmedEdge(geometry::CurveOnSurface curve, std::vector<int> controlPoints)
@@ -55,6 +75,13 @@ class TrimmedEdge : public InterfaceCurve {
         return functions;
     }
     geometry::Box box() const override { return curve_.box(); }
+    std::vector<NormalSlope> normalSlopes() const override {
+        std::vector<NormalSlope> slopes = mapper::normalSlopes(curve_);
+        for (NormalSlope& slope : slopes)
+            for (int& number : slope.values)
+                number = controlPoints_[number];
+        return slopes;
+    }
 
   private:
     geometry::CurveOnSurface curve_;
@@ -66,6 +93,10 @@ class TrimmedEdge : public InterfaceCurve {
 std::unique_ptr<InterfaceCurve> interfaceCurve(const geometry::NurbsCurve& curve,
                                                std::vector<int> controlPoints) {
     return std::make_unique<SplineCurve>(curve, std::move(controlPoints));
+}
+
+std::unique_ptr<InterfaceCurve> interfaceCell(const geometry::NurbsCurve& line, int value) {
+    return std::make_unique<Cell>(line, value);
 }
 
 std::unique_ptr<InterfaceCurve> interfaceCurve(geometry::CurveOnSurface curve,

@@ -4,13 +4,11 @@
 
 namespace tokay::mapper {
 
-LinearPolynomial::LinearPolynomial(const Points& cloud) : centre_(cloud.colwise().mean()) {
+LinearPolynomial::LinearPolynomial(const Points& cloud, double leastExtent)
+    : centre_(cloud.colwise().mean()) {
     const Points centred = cloud.rowwise() - centre_.transpose();
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(
         Eigen::Matrix3d(centred.transpose() * centred));
-    // Scaled by the whole extent, an axis with less of it than this would be lost
-    // in the rounding of the kernel's matrix.
-    constexpr double leastExtent = 1e-6;
     const double largest = std::sqrt(std::max(principal.eigenvalues()[2], 0.0));
     const double extent = std::sqrt(centred.rowwise().squaredNorm().maxCoeff());
     axes_.resize(0, 3);

@@ -9,7 +9,10 @@ namespace tokay::mapper {
 /// on flat and straight clouds too.
 class LinearPolynomial {
   public:
-    explicit LinearPolynomial(const Points& cloud);
+    /// @param leastExtent  of an axis that counts, over the largest. The default:
+    /// with less, scaled by the whole extent, an axis would be lost in the rounding
+    /// of a kernel's matrix.
+    explicit LinearPolynomial(const Points& cloud, double leastExtent = 1e-6);
 
     /// 1 and the number of axes.
     int size() const { return 1 + static_cast<int>(axes_.rows()); }

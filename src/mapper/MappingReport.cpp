@@ -18,6 +18,10 @@ std::string MappingReport::text() const {
         text +=
             fmt::format("  mass matrix {0} x {0}, rank {1}{2}, condition on the range {3:.3g}\n",
                         nInverted, rank, rank < nInverted ? " (singular)" : "", condition);
+    if (!regularisation.empty())
+        text += fmt::format("  the trace of {} functions has only {} dimensions: the rest of their "
+                            "values is chosen by the {}\n",
+                            nInverted, rank, regularisation);
     return text + fmt::format("  built in {:.3g} s, {:.3g} MB\n", seconds, bytes / 1e6);
 }
 

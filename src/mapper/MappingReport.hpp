@@ -35,6 +35,8 @@ struct MappingReport {
     int nInverted = 0;
     int rank = 0;
     double condition = 0;
+    /// How values were chosen that a singular matrix leaves open; empty if none.
+    std::string regularisation;
     /// To build the mapping.
     double seconds = 0;
     double bytes = 0;

@@ -1,6 +1,8 @@
 #include "mapper/MassInverse.hpp"
 
 #include "common/errors.hpp"
+#include "mapper/GradientExtension.hpp"
+#include "mapper/activeRows.hpp"
 #include "mapper/largestEigenvalue.hpp"
 #include <Eigen/CholmodSupport>
 #include <Eigen/SPQRSupport>
@@ -38,10 +40,11 @@ class MassInverse::PseudoInverse : public Factorisation {
         decompose(first_, matrix);
         rank_ = static_cast<int>(first_.rank());
         const ColumnMatrix rows = ColumnMatrix(first_.matrixR()).topRows(rank_);
+        second_.setPivotThreshold(0); // the rank is told once
         decompose(second_, rows.transpose());
         if (second_.rank() != rank_)
-            throw SolverError(fmt::format("The rank of the mass matrix could not be told: {} by "
-                                          "its columns, {} by its rows.",
+            throw SolverError(fmt::format("The mass matrix has rank {} by its columns and {} by "
+                                          "its rows.",
                                           rank_, second_.rank()));
         triangle_ = ColumnMatrix(second_.matrixR()).topLeftCorner(rank_, rank_);
     }
@@ -70,36 +73,6 @@ class MassInverse::PseudoInverse : public Factorisation {
     int rank_;
 };
 
-namespace {
-
-std::vector<int> rowsNotZero(const SparseMatrix& matrix) {
-    std::vector<int> active;
-    for (int row = 0; row < matrix.rows(); ++row)
-        for (SparseMatrix::InnerIterator entry(matrix, row); entry; ++entry)
-            if (entry.value() != 0) {
-                active.push_back(row);
-                break;
-            }
-    return active;
-}
-
-ColumnMatrix restricted(const SparseMatrix& matrix, const std::vector<int>& active) {
-    std::vector<int> number(matrix.cols(), -1);
-    for (std::size_t i = 0; i < active.size(); ++i)
-        number[active[i]] = static_cast<int>(i);
-    std::vector<Eigen::Triplet<double>> entries;
-    for (const int row : active)
-        for (SparseMatrix::InnerIterator entry(matrix, row); entry; ++entry)
-            if (number[entry.col()] >= 0)
-                entries.emplace_back(number[row], number[entry.col()], entry.value());
-    const Eigen::Index n = static_cast<Eigen::Index>(active.size());
-    ColumnMatrix reduced(n, n);
-    reduced.setFromTriplets(entries.begin(), entries.end());
-    return reduced;
-}
-
-} // namespace
-
 double MassInverse::conditionWith(const Factorisation& factorisation) const {
     const auto forwards = [&](const Eigen::VectorXd& v) -> Eigen::VectorXd { return reduced_ * v; };
     const auto backwards = [&](const Eigen::VectorXd& v) -> Eigen::VectorXd {
@@ -108,7 +81,8 @@ double MassInverse::conditionWith(const Factorisation& factorisation) const {
     return largestEigenvalue(nActive(), forwards) * largestEigenvalue(nActive(), backwards);
 }
 
-MassInverse::MassInverse(const SparseMatrix& matrix, SingularMass singular)
+MassInverse::MassInverse(const SparseMatrix& matrix, SingularMass singular,
+                         const SparseMatrix& gradientTerm)
     : n_(static_cast<int>(matrix.rows())), active_(rowsNotZero(matrix)),
       reduced_(restricted(matrix, active_)) {
     if (active_.empty())
@@ -130,10 +104,13 @@ MassInverse::MassInverse(const SparseMatrix& matrix, SingularMass singular)
         throw SolverError(fmt::format(
             "The mass matrix of the destination is singular: {} functions reach the interface, "
             "but their traces span only {} dimensions (a trimmed edge does that). Choose the "
-            "minimum norm solution, or map to an edge that the basis interpolates.",
+            "minimum norm solution or the gradient term, or map to an edge that the basis "
+            "interpolates.",
             nActive(), rank_));
     condition_ = conditionWith(*pseudoInverse);
     factorisation_ = std::move(pseudoInverse);
+    if (isSingular() && singular == SingularMass::gradientTerm)
+        extension_ = std::make_unique<GradientExtension>(matrix, gradientTerm);
 }
 
 MassInverse::~MassInverse() = default;
@@ -141,6 +118,14 @@ MassInverse::MassInverse(MassInverse&&) noexcept = default;
 MassInverse& MassInverse::operator=(MassInverse&&) noexcept = default;
 
 Eigen::MatrixXd MassInverse::solve(const Eigen::MatrixXd& rhs) const {
+    return extension_ ? extension_->solve(rhs) : solveByFactors(rhs);
+}
+
+Eigen::MatrixXd MassInverse::solveTransposed(const Eigen::MatrixXd& rhs) const {
+    return extension_ ? extension_->solveTransposed(rhs) : solveByFactors(rhs);
+}
+
+Eigen::MatrixXd MassInverse::solveByFactors(const Eigen::MatrixXd& rhs) const {
     const Eigen::MatrixXd reduced = rhs(active_, Eigen::all);
     Eigen::MatrixXd solution = Eigen::MatrixXd::Zero(n_, rhs.cols());
     solution(active_, Eigen::all) = factorisation_->solve(reduced);

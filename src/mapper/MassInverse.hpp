@@ -7,26 +7,38 @@ namespace tokay::mapper {
 
 /// What to do with a mass matrix that does not determine all its values, as
 /// that of a trimmed edge: the trace has fewer dimensions than there are functions.
-enum class SingularMass { refuse, minimumNorm };
+enum class SingularMass {
+    refuse,
+    minimumNorm, ///< least sum of squares of the values
+    gradientTerm ///< least change across the edge, see GradientExtension
+};
+
+class GradientExtension;
 
 /// Solves with a symmetric positive semidefinite matrix, factored once:
 /// Cholesky, or the pseudo-inverse by two sparse rank-revealing QRs if singular.
 /// Rows that are zero stand for values that are not there and stay zero.
 class MassInverse {
   public:
-    /// @throws SolverError if the matrix is singular and this is to be refused
-    MassInverse(const SparseMatrix& matrix, SingularMass singular);
+    /// @param gradientTerm  of the same size, for the choice of that name
+    /// @throws SolverError if the matrix is singular and this is to be refused, or
+    /// the gradient term leaves values open
+    MassInverse(const SparseMatrix& matrix, SingularMass singular,
+                const SparseMatrix& gradientTerm = {});
     ~MassInverse();
     MassInverse(MassInverse&&) noexcept;
     MassInverse& operator=(MassInverse&&) noexcept;
 
     /// @param rhs  n x m
-    /// @return     n x m; of least norm if the matrix is singular
+    /// @return     n x m; the chosen one of all solutions if the matrix is singular
     Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs) const;
+    /// The choice makes the inverse of a singular matrix unsymmetric.
+    Eigen::MatrixXd solveTransposed(const Eigen::MatrixXd& rhs) const;
 
     /// Rows that are not zero.
     int nActive() const { return static_cast<int>(active_.size()); }
     int rank() const { return rank_; }
+    bool isSingular() const { return rank_ < nActive(); }
     /// Largest over smallest nonzero eigenvalue, estimated to a per cent by
     /// Lanczos iterations.
     double conditionOnRange() const { return condition_; }
@@ -37,11 +49,13 @@ class MassInverse {
     class PseudoInverse;
 
     double conditionWith(const Factorisation& factorisation) const;
+    Eigen::MatrixXd solveByFactors(const Eigen::MatrixXd& rhs) const;
 
     int n_;
     std::vector<int> active_;
     Eigen::SparseMatrix<double> reduced_;
     std::unique_ptr<Factorisation> factorisation_;
+    std::unique_ptr<GradientExtension> extension_;
     int rank_;
     double condition_;
 };

@@ -8,6 +8,7 @@
 #include "mapper/conservation.hpp"
 #include "mapper/curveIntersection.hpp"
 #include "mapper/meshIntersection.hpp"
+#include "mapper/normalEnergy.hpp"
 #include "mapper/patchIntersection.hpp"
 
 namespace tokay::mapper {
@@ -127,22 +128,25 @@ void refuseDualBasis(const MortarOptions& options) {
 
 template <class From, class To, class Integrate>
 void MortarMapping::build(const From& from, const To& to, const MortarOptions& options,
-                          MortarAssembler assembler, Integrate integrate) {
+                          MortarAssembler assembler, Integrate integrate,
+                          const SparseMatrix& gradientTerm) {
     const Stopwatch watch;
     GapStatistics gaps(options.gapLimit, from.size());
     integrate(assembler, gaps);
     gaps.enter(report_);
-    finish(assembler, options, from, to);
+    finish(assembler, options, from, to, gradientTerm);
     report_.seconds = watch.seconds();
 }
 
 MortarMapping::MortarMapping(const CurveInterface& from, const CurveInterface& to,
                              const MortarOptions& options) {
-    build(from, to, options, {to.nValues(), from.nValues(), options.basis},
-          [&](MortarAssembler& assembler, GapStatistics& gaps) {
-              integrateIntersection(from, to, options.gapLimit, options.nExtraPoints, assembler,
-                                    gaps);
-          });
+    build(
+        from, to, options, {to.nValues(), from.nValues(), options.basis},
+        [&](MortarAssembler& assembler, GapStatistics& gaps) {
+            integrateIntersection(from, to, options.gapLimit, options.nExtraPoints, assembler,
+                                  gaps);
+        },
+        options.singular == SingularMass::gradientTerm ? normalEnergy(to) : SparseMatrix());
 }
 
 MortarMapping::MortarMapping(const SurfaceMesh& from, const SurfaceMesh& to,
@@ -180,15 +184,19 @@ MortarMapping::MortarMapping(const SurfaceInterface& from, const SurfaceInterfac
 }
 
 void MortarMapping::finish(const MortarAssembler& assembler, const MortarOptions& options,
-                           const Discretisation& from, const Discretisation& to) {
+                           const Discretisation& from, const Discretisation& to,
+                           const SparseMatrix& gradientTerm) {
     report_.method = options.basis == MortarBasis::dual ? "mortar, dual basis" : "mortar";
     mass_ = assembler.massMatrix();
     cross_ = assembler.crossMatrix();
-    inverse_.emplace(mass_, options.singular);
+    inverse_.emplace(mass_, options.singular, gradientTerm);
     report_.nUncovered = assembler.nUncovered(mass_);
     report_.nInverted = inverse_->nActive();
     report_.rank = inverse_->rank();
     report_.condition = inverse_->conditionOnRange();
+    if (inverse_->isSingular())
+        report_.regularisation =
+            options.singular == SingularMass::gradientTerm ? "gradient term" : "minimum norm";
 
     // A singular mass matrix leaves values open, but not the field: errors are
     // measured in the field, by test tractions.
@@ -205,7 +213,7 @@ Eigen::MatrixXd MortarMapping::apply(const Eigen::MatrixXd& values) const {
 }
 
 Eigen::MatrixXd MortarMapping::applyTransposed(const Eigen::MatrixXd& forces) const {
-    return cross_.transpose() * inverse_->solve(forces);
+    return cross_.transpose() * inverse_->solveTransposed(forces);
 }
 
 } // namespace tokay::mapper

@@ -13,6 +13,7 @@ namespace tokay::mapper {
 
 struct MortarOptions {
     MortarBasis basis = MortarBasis::standard;
+    /// The gradient term is there for edges of trimmed patches (curves).
     SingularMass singular = SingularMass::refuse;
     GapLimit gapLimit;
     /// Gauss points an interval beyond those that integrate straight elements
@@ -75,9 +76,11 @@ class MortarMapping : public Mapping {
     /// @param integrate  (MortarAssembler&, GapStatistics&)
     template <class From, class To, class Integrate>
     void build(const From& from, const To& to, const MortarOptions& options,
-               MortarAssembler assembler, Integrate integrate);
+               MortarAssembler assembler, Integrate integrate,
+               const SparseMatrix& gradientTerm = {});
     void finish(const MortarAssembler& assembler, const MortarOptions& options,
-                const Discretisation& from, const Discretisation& to);
+                const Discretisation& from, const Discretisation& to,
+                const SparseMatrix& gradientTerm);
 
     SparseMatrix mass_, cross_;
     std::optional<MassInverse> inverse_;

@@ -3,13 +3,10 @@
 #include "geometry/BoxTree.hpp"
 #include "geometry/Triangle.hpp"
 #include "mapper/Discretisation.hpp"
+#include "mapper/ValuesAt.hpp"
 #include <memory>
 
 namespace tokay::mapper {
-
-/// Where a mesh carries its values: a finite element mesh at its vertices, a
-/// finite volume mesh on its faces.
-enum class ValuesAt { vertices, faces };
 
 /// A mesh of triangles, quadrilaterals and polygons, mixed as may be. A face of
 /// more than three vertices is cut into triangles around its centre, where the

@@ -37,6 +37,22 @@ Eigen::Vector2d continuation(const NurbsSurface& surface, const Eigen::Vector2d&
     return step;
 }
 
+/// A parameter next to a knot line lies on it: else rounding would cut corners off
+/// polygons along it, each time in another way.
+double onKnotLine(const KnotVector& knots, double x) {
+    constexpr double next = 1e-8; // of a knot span
+    const std::vector<double>& breakpoints = knots.breakpoints();
+    const auto above = std::lower_bound(breakpoints.begin(), breakpoints.end(), x);
+    const auto upper = above == breakpoints.begin() ? above + 1
+                       : above == breakpoints.end() ? above - 1
+                                                    : above;
+    const double first = *(upper - 1), last = *upper;
+    for (const double knot : {first, last})
+        if (std::abs(x - knot) <= next * (last - first))
+            return knot;
+    return x;
+}
+
 /// The corner whose parameter is farthest from a seam: the others follow it.
 int farthestFromSeam(const KnotVector& knots, int axis,
                      const std::array<ProjectedCorner, 3>& corners) {
@@ -76,7 +92,8 @@ ProjectedCorner projectedCorner(const NurbsSurface& surface,
     ProjectedCorner corner;
     corner.at = {found.xi, found.eta};
     const Eigen::Vector2d step = continuation(surface, corner.at, isClosed, tangents, offset);
-    corner.at += step;
+    for (int axis = 0; axis < 2; ++axis)
+        corner.at[axis] = onKnotLine(direction(surface, axis), corner.at[axis] + step[axis]);
     corner.gap = (offset - tangents * step).norm();
     corner.converged = found.converged;
     const double longest = tangents.colwise().norm().maxCoeff();

@@ -51,7 +51,9 @@ Points flapPoints(int nPerEdge) {
     return points;
 }
 
-CurveInterface verticalMesh(int nElements, double x) {
+namespace {
+
+CurveInterface verticalLine(int nElements, double x, ValuesAt valuesAt) {
     Points vertices(nElements + 1, 3);
     std::vector<std::array<int, 2>> elements;
     for (int i = 0; i <= nElements; ++i) {
@@ -60,7 +62,17 @@ CurveInterface verticalMesh(int nElements, double x) {
         if (i > 0)
             elements.push_back({i - 1, i});
     }
-    return lineMesh(vertices, elements);
+    return lineMesh(vertices, elements, valuesAt);
+}
+
+} // namespace
+
+CurveInterface verticalMesh(int nElements, double x) {
+    return verticalLine(nElements, x, ValuesAt::vertices);
+}
+
+CurveInterface verticalFaces(int nElements, double x) {
+    return verticalLine(nElements, x, ValuesAt::faces);
 }
 
 SplineInterface verticalSpline(int degree, int nSpans, double x) {

@@ -17,6 +17,9 @@ Points flapPoints(int nPerEdge);
 /// n line elements from (x, 0, 0) to (x, 1, 0), spaced unevenly.
 CurveInterface verticalMesh(int nElements, double x = 0);
 
+/// The same elements with a value on each.
+CurveInterface verticalFaces(int nElements, double x = 0);
+
 /// The line from (x, 0, 0) to (x, 1, 0) as a spline.
 SplineInterface verticalSpline(int degree, int nSpans, double x = 0);
 

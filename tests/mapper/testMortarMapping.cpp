@@ -59,6 +59,23 @@ TEST(MortarMapping, passesThePatchTestBetweenSplinesAndLineMeshes) {
     expectPatchTest(verticalSpline(4, 3), verticalSpline(1, 11), {});
 }
 
+TEST(MortarMapping, mapsConstantsAndMeansWithValuesOnTheElementsOfALineMesh) {
+    const CurveInterface vertices = verticalMesh(7), faces = verticalFaces(9),
+                         others = verticalFaces(5);
+    for (const CurveInterface* from : {&vertices, &faces, &others})
+        for (const CurveInterface* to : {&vertices, &faces, &others}) {
+            const MortarMapping mapping(*from, *to);
+            EXPECT_LT(mapping.report().rowSumError, 1e-12);
+            EXPECT_LT(mapping.report().forceSumError, 1e-12);
+            expectTransposesEqual(mapping, from->nValues(), to->nValues());
+        }
+    // The mean of a linear field over a straight element is its value in the middle.
+    expectPatchTest(vertices, faces, {});
+    expectPatchTest(verticalSpline(2, 4), faces, {});
+    EXPECT_EQ(faces.nValues(), 9);
+    EXPECT_LT(MortarMapping(faces, verticalSpline(2, 4)).report().rowSumError, 1e-12);
+}
+
 TEST(MortarMapping, passesThePatchTestFromTheDualBasisToo) {
     expectPatchTest(verticalMesh(7), verticalMesh(5), dual());
     expectPatchTest(verticalSpline(3, 4), verticalMesh(9), dual());

@@ -116,12 +116,63 @@ TEST(RbfMapping, theAutomaticRadiusHoldsTheNeighboursOfEveryPoint) {
     EXPECT_EQ(fewest, 16); // itself and 15
 }
 
+TEST(RbfMapping, thePartitionOfUnityTakesLinearFieldsAndConservesForceAndMoment) {
+    const Points line = verticalMesh(300).coordinates(),
+                 otherLine = verticalMesh(170).coordinates();
+    const std::pair<Points, Points> pairs[] = {{cloud(40, 20, 0), cloud(31, 18, 2)},
+                                               {bent(cloud(40, 20, 0)), bent(cloud(31, 18, 2))},
+                                               {line, otherLine}};
+    for (const RadialKernel kernel : allKernels)
+        for (const auto& [from, to] : pairs) {
+            RbfOptions options = with(kernel);
+            options.solution = RbfSolution::partitionOfUnity;
+            const RbfMapping mapping(from, to, options);
+            // The fitted polynomial takes all of them: no kernel adds its rounding.
+            EXPECT_LT((mapping.apply(linearField(from)) - linearField(to)).cwiseAbs().maxCoeff(),
+                      1e-12);
+            EXPECT_LT(mapping.report().rowSumError, 1e-12);
+            expectForceAndMomentConserved(mapping, testForces(to.rows()), from, to);
+            expectTransposesEqual(mapping, static_cast<int>(from.rows()),
+                                  static_cast<int>(to.rows()));
+        }
+}
+
+TEST(RbfMapping, thePartitionOfUnityIsAboutAsGoodAsTheGlobalSolution) {
+    const Points from = bent(cloud(44, 22, 0)), to = bent(cloud(61, 30, 3));
+    const auto smooth = [](const Points& x) -> Eigen::VectorXd {
+        return (2 * x.col(0)).array().sin() * (3 * x.col(2)).array().cos();
+    };
+    const auto errorBy = [&](RbfSolution solution) {
+        RbfOptions options;
+        options.solution = solution;
+        return (RbfMapping(from, to, options).apply(smooth(from)) - smooth(to)).norm();
+    };
+    const double global = errorBy(RbfSolution::global);
+    EXPECT_LT(global, 0.05);
+    EXPECT_LT(errorBy(RbfSolution::partitionOfUnity), 1.5 * global);
+}
+
+TEST(RbfMapping, aHundredThousandPointsAreMappedByThePartitionOfUnityInLittleMemory) {
+    const Points from = bent(cloud(446, 224, 0)), to = bent(cloud(300, 300, 3));
+    ASSERT_GT(from.rows(), 100000);
+    const RbfMapping mapping(from, to);
+    EXPECT_NE(mapping.report().method.find("partition of unity"), std::string::npos);
+    EXPECT_LT(mapping.report().bytes, 3e8); // a dense matrix would be 8e10
+    const Eigen::VectorXd values = (2 * from.col(0)).array().sin() * from.col(2).array().cos();
+    const Eigen::VectorXd exact = (2 * to.col(0)).array().sin() * to.col(2).array().cos();
+    // Spacing 0.0045: linear interpolation would leave its square, 2e-5.
+    EXPECT_LT((mapping.apply(values) - exact).cwiseAbs().maxCoeff(), 2e-5);
+}
+
 TEST(RbfMapping, refusesCoincidingPointsTooManyPointsAndFarOnes) {
     Points from = cloud(4, 4, 0);
     from.row(7) = from.row(3);
     expectInputError([&] { RbfMapping(from, from); }, {"point 3", "coincides"});
     const Points many = cloud(90, 90, 0), far = cloud(2, 2, 0).array() + 9;
-    expectInputError([&] { RbfMapping(many, many.topRows(5)); }, {"8281", "8000", "compactC2"});
+    RbfOptions global;
+    global.solution = RbfSolution::global;
+    expectInputError([&] { RbfMapping(many, many.topRows(5), global); },
+                     {"8281", "8000", "partition of unity", "compactC2"});
     expectInputError([&] { RbfMapping(cloud(4, 4, 0), far); }, {"do not lie on each other"});
     expectInputError([] { radialKernelFromName("gauss"); }, {"gauss", "thinPlate"});
 }

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "mapper/SparseMatrix.hpp"
+#include <vector>
+
+namespace tokay::mapper {
+
+/// Numbers of the rows that hold a number other than 0, ascending.
+std::vector<int> rowsNotZero(const SparseMatrix& matrix);
+
+/// The rows and columns that are active, in their order.
+Eigen::SparseMatrix<double> restricted(const SparseMatrix& matrix, const std::vector<int>& active);
+
+} // namespace tokay::mapper
