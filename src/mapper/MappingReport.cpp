@@ -42,6 +42,7 @@ JsonObject MappingReport::json() const {
     object.add("nInverted", nInverted);
     object.add("rank", rank);
     object.add("condition", condition);
+    object.add("regularisation", regularisation);
     object.add("build_s", seconds);
     object.add("memory_byte", bytes);
     return object;

@@ -165,6 +165,7 @@ TEST(GradientTerm, keepsRankAndCountAndExplainsItself) {
     EXPECT_NE(mapping.report().text().find("12 functions has only 4 dimensions"),
               std::string::npos);
     EXPECT_NE(mapping.report().text().find("chosen by the gradient term"), std::string::npos);
+    EXPECT_NE(mapping.report().json().text().find("\"gradient term\""), std::string::npos);
 }
 
 TEST(GradientTerm, isNotUsedWhereNothingIsOpen) {
