@@ -1,6 +1,7 @@
 #include "igaStructure/body/makeBody.hpp"
 
 #include "common/errors.hpp"
+#include "igaStructure/body/LineBody.hpp"
 #include "igaStructure/body/PlaneBody.hpp"
 
 namespace tokay::structure {
@@ -11,6 +12,11 @@ namespace {
 std::unique_ptr<Body> make(const PlaneSolidCase& solid) {
     return std::make_unique<PlaneBody>(
         PlaneSolid(solid.surface, solid.material, solid.strains, solid.supports, solid.loads));
+}
+
+std::unique_ptr<Body> make(const LineCase& line) {
+    return std::make_unique<LineBody>(
+        PlaneLine(line.curve, line.section, line.strains, line.supports, line.loads));
 }
 
 } // namespace

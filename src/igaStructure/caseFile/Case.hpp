@@ -1,6 +1,7 @@
 #pragma once
 
 #include "igaStructure/caseFile/Coupling.hpp"
+#include "igaStructure/caseFile/LineCase.hpp"
 #include "igaStructure/caseFile/OutputOptions.hpp"
 #include "igaStructure/caseFile/PlaneSolidCase.hpp"
 #include "igaStructure/timeIntegration/NewtonOptions.hpp"
@@ -20,7 +21,7 @@ struct TimeSteps {
 };
 
 /// Geometry, model, material, supports and loads of one of the kinematics.
-using StructureCase = std::variant<PlaneSolidCase>;
+using StructureCase = std::variant<PlaneSolidCase, LineCase>;
 
 /// All that a case file says, checked and with its defaults.
 struct Case {

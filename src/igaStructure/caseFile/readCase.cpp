@@ -3,6 +3,7 @@
 #include "common/errors.hpp"
 #include "igaStructure/caseFile/CaseSection.hpp"
 #include "igaStructure/caseFile/readCoupling.hpp"
+#include "igaStructure/caseFile/readLine.hpp"
 #include "igaStructure/caseFile/readPlaneSolid.hpp"
 #include "igaStructure/caseFile/requireUsed.hpp"
 
@@ -16,6 +17,10 @@ namespace tokay::structure {
 namespace {
 
 StructureCase readStructure(const CaseSection& file) {
+    const std::string kinematics = file.section("model").text("kinematics");
+    if (kinematics == "beam" || kinematics == "cable") {
+        return readLine(file);
+    }
     return readPlaneSolid(file);
 }
 

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace tokay::structure {
 
 namespace {
@@ -59,7 +61,54 @@ geometry::NurbsSurface refined(const geometry::NurbsSurface& coarse, const CaseS
     return geometry::refine(coarse, degree[0], degree[1], elements[0], elements[1]);
 }
 
+geometry::NurbsCurve readLine(const CaseSection& section) {
+    const std::vector<double> from = section.numbers("from");
+    const std::vector<double> to = section.numbers("to");
+    return geometry::line({from[0], from[1], 0}, {to[0], to[1], 0});
+}
+
+geometry::NurbsCurve readArc(const CaseSection& section) {
+    const std::vector<double> centre = section.numbers("centre");
+    const std::vector<double> angles = section.numbers("angles");
+    constexpr double radians = M_PI / 180;
+    try {
+        return geometry::arc({centre[0], centre[1], 0}, section.number("radius"),
+                             radians * angles[0], radians * angles[1]);
+    } catch (const InputError& error) {
+        throw section.error("angles", error.what());
+    }
+}
+
+geometry::NurbsCurve readNurbsCurve(const CaseSection& section) {
+    requireUsed(section, {"degree", "knotsXi", "controlPoints", "weights"}, "a line");
+    try {
+        return {geometry::KnotVector(section.integers("degree", 1)[0], section.numbers("knotsXi")),
+                readControlPoints(section), readWeights(section)};
+    } catch (const InputError& error) {
+        throw section.error("", error.what());
+    }
+}
+
+geometry::NurbsCurve refined(const geometry::NurbsCurve& coarse, const CaseSection& section) {
+    const int degree = section.integers("degree", 1)[0];
+    if (degree < coarse.degree()) {
+        throw section.error("degree",
+                            fmt::format("{} is below the geometry's {}", degree, coarse.degree()));
+    }
+    return geometry::refine(coarse, degree, section.integers("elements", 1)[0]);
+}
+
 } // namespace
+
+geometry::NurbsCurve readCurve(const CaseSection& file) {
+    const CaseSection section = file.section("geometry");
+    const std::string shape = section.exactlyOne({"line", "arc", "nurbs"});
+    const CaseSection given = section.section(shape);
+    return refined(shape == "line"  ? readLine(given)
+                   : shape == "arc" ? readArc(given)
+                                    : readNurbsCurve(given),
+                   file.section("discretisation"));
+}
 
 geometry::NurbsSurface readSurface(const CaseSection& file) {
     const CaseSection section = file.section("geometry");

@@ -10,4 +10,7 @@ class CaseSection;
 /// @throws InputError if the entries do not fit each other or describe no surface
 geometry::NurbsSurface readSurface(const CaseSection& file);
 
+/// The curve of `geometry` in the basis of `discretisation`; as readSurface.
+geometry::NurbsCurve readCurve(const CaseSection& file);
+
 } // namespace tokay::structure

@@ -53,7 +53,10 @@ int rank(const Eigen::MatrixXd& matrix) {
 
 std::vector<std::string> freeRigidMotions(const geometry::NurbsSurface& surface,
                                           const std::vector<bool>& fixed) {
-    const Eigen::MatrixX3d motions = rigidMotionsAt(surface, fixed);
+    return freeRigidMotions(rigidMotionsAt(surface, fixed));
+}
+
+std::vector<std::string> freeRigidMotions(const Eigen::MatrixX3d& motions) {
     if (rank(motions) == 3) {
         return {};
     }

@@ -25,4 +25,8 @@ std::vector<bool> fixedUnknowns(const geometry::NurbsSurface& surface,
 std::vector<std::string> freeRigidMotions(const geometry::NurbsSurface& surface,
                                           const std::vector<bool>& fixed);
 
+/// The same from the rigid motions (columns: along x, along y, rotation) at
+/// what is held, one row each, lengths relative to the body's size.
+std::vector<std::string> freeRigidMotions(const Eigen::MatrixX3d& heldMotions);
+
 } // namespace tokay::structure

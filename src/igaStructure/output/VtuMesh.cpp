@@ -1,8 +1,6 @@
 #include "igaStructure/output/VtuMesh.hpp"
 
-#include <Eigen/LU>
-
-#include <cmath>
+#include "igaStructure/output/bernstein.hpp"
 
 namespace tokay::structure {
 
@@ -27,20 +25,6 @@ std::vector<Place> gridPoints(const geometry::NurbsSurface& surface, int nU, int
         }
     }
     return points;
-}
-
-// Inverse of the Bernstein polynomials' values at equidistant points.
-Eigen::MatrixXd bernsteinInverse(int degree) {
-    Eigen::MatrixXd values(degree + 1, degree + 1);
-    for (int k = 0; k <= degree; ++k) {
-        const double s = static_cast<double>(k) / degree;
-        double binomial = 1;
-        for (int i = 0; i <= degree; ++i) {
-            values(k, i) = binomial * std::pow(s, i) * std::pow(1 - s, degree - i);
-            binomial *= static_cast<double>(degree - i) / (i + 1);
-        }
-    }
-    return values.inverse();
 }
 
 // VTK's number of point (i, j) in a cell: corners, edges, interior.
@@ -123,17 +107,22 @@ VtuMesh bezierMesh(const geometry::NurbsSurface& surface, int patch) {
     }
     mesh.weights = Eigen::VectorXd::Ones(nPoints);
     if (surface.isRational()) {
-        Eigen::MatrixXd weight(1, nPoints); // the denominator of the rational functions
         const geometry::NurbsSurface denominator(
             surface.u(), surface.v(),
             geometry::Points(surface.weights() * Eigen::RowVector3d(1, 0, 0)));
-        for (int k = 0; k < nPoints; ++k) {
-            weight(0, k) = denominator.point(mesh.points[k].xi, mesh.points[k].eta)[0];
-        }
-        mesh.weights = toBernstein(mesh, weight).row(0).transpose();
-        mesh.denominators = weight.row(0).transpose();
+        mesh.setDenominators(
+            [&](const Place& place) { return denominator.point(place.xi, place.eta)[0]; });
     }
     return mesh;
+}
+
+void VtuMesh::setDenominators(const std::function<double(const Place&)>& denominator) {
+    Eigen::MatrixXd values(1, points.size());
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        values(0, k) = denominator(points[k]);
+    }
+    weights = toBernstein(*this, values).row(0).transpose();
+    denominators = values.row(0).transpose();
 }
 
 Eigen::MatrixXd fileValues(const VtuMesh& mesh, const Eigen::MatrixXd& values) {

@@ -4,6 +4,7 @@
 #include "igaStructure/body/Place.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace tokay::structure {
@@ -23,6 +24,9 @@ struct VtuMesh {
     Eigen::VectorXd weights;
     Eigen::VectorXd denominators;
     Eigen::MatrixXd toBernsteinXi, toBernsteinEta;
+
+    /// Sets weights and denominators from the rational functions' denominator.
+    void setDenominators(const std::function<double(const Place&)>& denominator);
 
     bool isBezier() const { return degrees[0] > 0; }
 };

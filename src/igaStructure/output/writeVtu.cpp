@@ -2,6 +2,8 @@
 
 #include "common/VtuFile.hpp"
 
+#include <algorithm>
+
 namespace tokay::structure {
 
 namespace {
@@ -15,7 +17,7 @@ void addPointField(const std::string& name, const Eigen::MatrixXd& values, VtuFi
 void addBezierData(const VtuMesh& mesh, std::size_t nCells, VtuFile& file) {
     addPointField("RationalWeights", mesh.weights.transpose(), file, "RationalWeights");
     Eigen::MatrixXd degrees(3, nCells);
-    degrees.colwise() = Eigen::Vector3d(mesh.degrees[0], mesh.degrees[1], 1);
+    degrees.colwise() = Eigen::Vector3d(mesh.degrees[0], std::max(mesh.degrees[1], 1), 1);
     file.addField(VtuFile::On::cells, "HigherOrderDegrees", 3,
                   {degrees.data(), degrees.data() + degrees.size()}, "HigherOrderDegrees");
 }

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "geometry/CurveProjector.hpp"
+#include "igaStructure/body/Body.hpp"
+#include "igaStructure/body/sectionMotion.hpp"
+#include "igaStructure/model/PlaneLine.hpp"
+
+namespace tokay::structure {
+
+/// A beam or cable in the plane z = 0, as thick as its section: sections move
+/// as rigid lines normal to the axis.
+class LineBody : public Body {
+  public:
+    explicit LineBody(PlaneLine line) : line_(std::move(line)), projector_(line_.curve()) {}
+
+    StructuralModel& model() override { return line_; }
+    const StructuralModel& model() const override { return line_; }
+    int dimension() const override { return 2; }
+    std::string description() const override;
+
+    /// quads: the body over its thickness. bezier: its axis.
+    std::vector<VtuMesh> meshes(const OutputOptions& options) const override;
+
+    /// axialStress: along the axis, at the place in the thickness.
+    std::vector<std::string> fieldNames() const override;
+    std::vector<std::string> defaultFields() const override;
+    Eigen::MatrixXd positions(const std::vector<Place>& places) const override;
+    Eigen::MatrixXd displacements(const Eigen::VectorXd& displacement,
+                                  const std::vector<Place>& places) const override;
+    Eigen::MatrixXd field(const std::string& name, const MotionState& state,
+                          const std::vector<Place>& places) const override;
+    Closest closest(const geometry::Point& point) const override;
+    std::unique_ptr<InterfaceTransfer> transfer(const Coupling& coupling,
+                                                const geometry::Points& points,
+                                                const geometry::Points& faceCentres) const override;
+
+  private:
+    LineField reference(double xi) const;
+    LineField evaluate(const Eigen::VectorXd& field, double xi) const;
+    Eigen::MatrixXd motion(const std::string& name, const MotionState& state,
+                           const std::vector<Place>& places) const;
+    double resultant(const std::string& name, const Eigen::VectorXd& displacement,
+                     const Place& place) const;
+
+    PlaneLine line_;
+    geometry::CurveProjector projector_;
+};
+
+} // namespace tokay::structure

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "igaStructure/body/InterfaceTransfer.hpp"
+#include "igaStructure/caseFile/Coupling.hpp"
+#include "igaStructure/model/PlaneLine.hpp"
+#include "mapper/OffsetMapping.hpp"
+
+namespace tokay::structure {
+
+/// Transfer between a beam or cable and the fluid around it: points move with
+/// the section at which they lie, both sides and the ends.
+class LineTransfer : public InterfaceTransfer {
+  public:
+    /// @param line  is kept by reference
+    /// @throws InputError if a point is farther from the axis than the gap limit
+    LineTransfer(const PlaneLine& line, const Coupling& coupling, const geometry::Points& points,
+                 const geometry::Points& faceCentres);
+
+    geometry::Points displacements(const Eigen::VectorXd& displacement) const override;
+    Eigen::VectorXd forces(const Eigen::VectorXd& displacement,
+                           const geometry::Points& onFaces) const override;
+    std::string report() const override;
+
+  private:
+    geometry::Points ofControlPoints(const Eigen::VectorXd& displacement) const;
+
+    const PlaneLine& line_;
+    mapper::SplineInterface axis_;
+    mapper::OffsetMapping toPoints_;
+    mapper::OffsetMapping toFaces_;
+};
+
+} // namespace tokay::structure

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace tokay::structure {
+
+/// A field of a plane line at a parameter: its value and derivative by xi.
+struct LineField {
+    Eigen::Vector2d value;
+    Eigen::Vector2d slope;
+};
+
+/// Motion of a point of a section that stays plane and normal to the axis, at
+/// a distance zeta to its left.
+/// @param reference  axis and its derivative, before the motion
+/// @param isLinear   small rotations
+Eigen::Vector2d sectionDisplacement(const LineField& reference, const LineField& displacement,
+                                    double zeta, bool isLinear);
+
+Eigen::Vector2d sectionVelocity(const LineField& reference, const LineField& displacement,
+                                const LineField& velocity, double zeta, bool isLinear);
+
+Eigen::Vector2d sectionAcceleration(const LineField& reference, const LineField& displacement,
+                                    const LineField& velocity, const LineField& acceleration,
+                                    double zeta, bool isLinear);
+
+} // namespace tokay::structure

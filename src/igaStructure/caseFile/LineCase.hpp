@@ -1,0 +1,19 @@
+#pragma once
+
+#include "geometry/NurbsCurve.hpp"
+#include "igaStructure/model/LineLoads.hpp"
+#include "igaStructure/model/LineSection.hpp"
+#include "igaStructure/model/Strains.hpp"
+
+namespace tokay::structure {
+
+/// What a case file says of a beam or cable.
+struct LineCase {
+    geometry::NurbsCurve curve; ///< refined
+    LineSection section;
+    Strains strains;
+    std::vector<LineSupport> supports;
+    LineLoads loads;
+};
+
+} // namespace tokay::structure

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "geometry/NurbsCurve.hpp"
+#include "igaStructure/model/LineStrain.hpp"
+
+#include <vector>
+
+namespace tokay::structure {
+
+/// A quadrature point of a line in the plane, with the functions there.
+struct LinePoint {
+    int element;
+    int first;                ///< control point of the first function
+    Eigen::MatrixXd N;        ///< rows: functions, first and second derivatives by xi
+    LineDerivatives position; ///< derivatives in the reference configuration
+    geometry::Point at;
+    double length; ///< quadrature weight times line element [m]
+
+    /// Derivatives of a field of two components a control point.
+    LineDerivatives derivatives(const Eigen::VectorXd& field) const;
+
+    /// Sum of the functions' values times the field.
+    Eigen::Vector2d value(const Eigen::VectorXd& field) const;
+};
+
+/// Gauss points of all elements of a curve, element after element.
+/// @throws InputError if the curve has no tangent at one of them
+std::vector<LinePoint> linePoints(const geometry::NurbsCurve& curve, int nPointsPerElement);
+
+} // namespace tokay::structure

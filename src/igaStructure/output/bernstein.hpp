@@ -1,0 +1,11 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace tokay::structure {
+
+/// Turns values at degree + 1 equidistant points, ends included, into
+/// Bernstein coefficients.
+Eigen::MatrixXd bernsteinInverse(int degree);
+
+} // namespace tokay::structure

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "geometry/NurbsCurve.hpp"
+#include "igaStructure/output/VtuMesh.hpp"
+
+namespace tokay::structure {
+
+/// The strip of a thickness around a plane curve: each element cut into
+/// subdivision quadrilaterals, which reach from side to side.
+VtuMesh stripMesh(const geometry::NurbsCurve& curve, int subdivision, double thickness);
+
+/// A VTK_BEZIER_CURVE for each element, exact as bezierMesh of a surface.
+VtuMesh bezierMesh(const geometry::NurbsCurve& curve);
+
+} // namespace tokay::structure

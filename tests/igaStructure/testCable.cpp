@@ -1,0 +1,91 @@
+#include "exampleLine.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <gtest/gtest.h>
+
+using namespace tokay;
+using namespace tokay::structure;
+using Eigen::MatrixXd;
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+
+namespace {
+
+LineSection cableSection() {
+    LineSection section;
+    section.thickness = 0.1;
+    section.axialStiffness = 1e5;
+    section.mass = 2;
+    return section;
+}
+
+const std::vector<LineSupport> bothEnds = {{LineEnd::start, true, true, false},
+                                           {LineEnd::end, true, true, false}};
+
+} // namespace
+
+TEST(Cable, prestressed_string_has_the_frequencies_of_the_wave_equation) {
+    LineSection section = cableSection();
+    section.prestress = 50;
+    for (Strains strains : {Strains::linear, Strains::nonlinear}) {
+        const PlaneLine line(geometry::refine(geometry::line({0, 0, 0}, {3, 0, 0}), 4, 16), section,
+                             strains, bothEnds, {});
+        SparseMatrix tangent;
+        line.internalForce(VectorXd::Zero(line.nUnknowns()), tangent);
+        std::vector<int> across; // unknowns along y that are free
+        for (int k = 1; k < line.nUnknowns(); k += 2) {
+            if (!line.fixed()[k]) {
+                across.push_back(k);
+            }
+        }
+        const MatrixXd K = MatrixXd(tangent)(across, across);
+        const MatrixXd M = MatrixXd(line.massMatrix())(across, across);
+        const VectorXd squares =
+            Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>(K, M).eigenvalues();
+        for (int n = 1; n <= 3; ++n) {
+            const double exact = n * M_PI / 3 * std::sqrt(50.0 / 2);
+            EXPECT_NEAR(std::sqrt(squares[n - 1]), exact, 1e-7 * exact); // degree 4, 16 elements
+        }
+    }
+}
+
+TEST(Cable, hanging_cable_takes_the_shape_of_the_elastic_catenary) {
+    // Span 8 between level ends, unstretched length L; horizontal force H follows
+    // from span = 2 H/w asinh(w L / 2 H) + H L / EA (Irvine 1981).
+    const double w = 2 * 9.81;
+    const double EA = 1e5;
+    const double H = 60;
+    const double root = std::sinh(1.0);
+    const double L = 2 * H / w * root; // asinh(w L / 2 H) = 1
+    const double span = 2 * H / w + H * L / EA;
+    const double V = 0.5 * w * L;
+    const double sag = (std::hypot(H, V) - H) / w + 0.5 * V * L / (2 * EA);
+    // Starts as a circular arc with a prestress that makes it stiff across its
+    // axis, longer than L by the stretch that goes with it.
+    const double prestress = 60;
+    const double length = L / std::sqrt(1 - 2 * prestress / EA);
+    double half = 1; // half opening angle: sin(half)/half = span/L
+    for (int k = 0; k < 100; ++k) {
+        half -= (std::sin(half) - half * span / length) / (std::cos(half) - span / length);
+    }
+    const double radius = 0.5 * length / half;
+    const geometry::NurbsCurve arc =
+        geometry::arc({0, 0, 0}, radius, 1.5 * M_PI - half, 1.5 * M_PI + half);
+    LineLoads loads;
+    loads.gravities.push_back({Formula("0", ""), Formula("-9.81", "")});
+    LineSection section = cableSection();
+    section.prestress = prestress;
+    PlaneLine line(geometry::refine(arc, 3, 16), section, Strains::nonlinear, bothEnds, loads);
+    const VectorXd d = loadSteps(line, 10).back();
+    const double middle = line.curve().knotVector().last() / 2;
+    const VectorXd all = line.controlDisplacements(d);
+    const geometry::CurveBasis basis = line.curve().basis(middle, 0);
+    double y = line.curve().point(middle)[1];
+    for (int a = 0; a < basis.N.cols(); ++a) {
+        y += basis.N(0, a) * all[2 * (basis.first + a) + 1];
+    }
+    const double ends = -radius * std::cos(half);
+    // Measures of strain differ by the strain squared, 1e-6; discretisation 1e-5.
+    EXPECT_NEAR(ends - y, sag, 1e-4 * sag);
+    EXPECT_NEAR(line.stateAt(middle, d).normalForce, H, 2e-3 * H);
+}
