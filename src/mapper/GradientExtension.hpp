@@ -13,8 +13,10 @@ namespace tokay::mapper {
 ///   1/2 int_edge (u - uBar)^2 + epsilon/2 int_whole cut elements (du/dn)^2,
 /// so the trace is the one of any other choice, and fields that do not change across the
 /// edge are exact in all of the cut elements. A slope across the edge is not in the trace:
-/// it comes out as 0 there. (Jumps of derivatives across the faces of elements cannot take
-/// the term's place: a field linear across the edge and zero on it has none.)
+/// it comes out as 0 there, an error in the cut elements of the slope times their size; the
+/// minimum norm's does not fall with the size at all (testGradientTerm.cpp). (Jumps of derivatives
+/// across the faces of elements cannot take the term's place: a field linear across the edge and
+/// zero on it has none.)
 class GradientExtension {
   public:
     /// @param mass, gradient  symmetric, of one size

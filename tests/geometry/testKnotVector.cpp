@@ -95,4 +95,9 @@ TEST(KnotVector, refusesWhatIsNotAnOpenKnotVectorAndSaysWhy) {
     expectInputError([] { KnotVector(1, {0, 0, NAN, 1, 1}); }, {"Knot 2", "finite"});
 }
 
+TEST(KnotVector, refusesADegreeBeyondTheLimit) {
+    EXPECT_EQ(KnotVector::uniform(KnotVector::maxDegree, 2).nBasis(), KnotVector::maxDegree + 2);
+    expectInputError([] { KnotVector::uniform(KnotVector::maxDegree + 1, 2); }, {"31", "30"});
+}
+
 } // namespace tokay::geometry

@@ -11,6 +11,7 @@
 #include "samplePatches.hpp"
 #include <Eigen/Geometry>
 #include <cmath>
+#include <numeric>
 
 namespace tokay::mapper {
 
@@ -165,6 +166,37 @@ TEST(Extremes, scalePlaceAndDirectionDoNotMatterForMortarBetweenPatches) {
         const SurfaceInterface from = placed(TrimmedPatch(bentParameters(4, 4)));
         return MortarMapping(from, placed(TrimmedPatch(plate(5, 3))))
             .apply(testForces(from.nValues()));
+    });
+}
+
+TEST(Extremes, scalePlaceAndDirectionDoNotMatterForTrimmedEdges) {
+    const NurbsSurface surface = refine(geometry::rectangle(Point(-0.6, 0, 0), 2, 1), 2, 2, 2, 2);
+    for (const SingularMass singular : {SingularMass::minimumNorm, SingularMass::gradientTerm})
+        expectPlaceDoesNotMatter([&](const Placement& placed) -> Points {
+            const NurbsSurface moved = surface.withControlPoints(placed(surface.controlPoints()));
+            std::vector<int> numbers(moved.nControlPoints());
+            std::iota(numbers.begin(), numbers.end(), 0);
+            std::vector<std::unique_ptr<InterfaceCurve>> curves;
+            curves.push_back(interfaceCurve(
+                geometry::CurveOnSurface(geometry::line(Point(0.3, 0, 0), Point(0.3, 1, 0)), moved),
+                numbers));
+            const CurveInterface to(std::move(curves), moved.controlPoints());
+            std::vector<std::array<int, 2>> elements;
+            for (int i = 0; i < 7; ++i)
+                elements.push_back({i, i + 1});
+            const CurveInterface from = lineMesh(placed(verticalMesh(7).coordinates()), elements);
+            MortarOptions options;
+            options.singular = singular;
+            return MortarMapping(from, to, options).apply(testForces(from.nValues()));
+        });
+}
+
+TEST(Extremes, scalePlaceAndDirectionDoNotMatterForNearestElementOfPatches) {
+    const Points to = mesh(9, 6, 2).vertices().rowwise() + Eigen::RowVector3d(0.01, 0, 0.002);
+    expectPlaceDoesNotMatter([&](const Placement& placed) -> Points {
+        const SurfaceInterface splines = placed(holedPlate());
+        return NearestElementMapping(splines, placed(to), {0.2})
+            .apply(testForces(splines.nValues()));
     });
 }
 

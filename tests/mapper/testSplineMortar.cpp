@@ -69,6 +69,19 @@ TEST(SplineMortar, passesThePatchTestBetweenTrimmedPatches) {
     EXPECT_NEAR(mapping.report().coverage, 1 - hole / 2, 2e-4); // the chords of the hole
 }
 
+TEST(SplineMortar, partsOfTheDestinationBeyondTheSourceAreLeftOutAndCounted) {
+    const SurfaceInterface half =
+        onePatch(TrimmedPatch(refine(geometry::rectangle(Point::Zero(), 1, 1), 2, 2, 3, 3)));
+    MortarOptions options;
+    options.singular = SingularMass::minimumNorm;
+    const SurfaceInterface whole = onePatch(TrimmedPatch(plate(5, 4)));
+    expectPatchTest(half, whole, options);
+    const MortarMapping mapping(half, whole, options);
+    EXPECT_NEAR(mapping.report().coverage, 0.5, 1e-12);
+    EXPECT_GT(mapping.report().nUncovered, 0);
+    EXPECT_NEAR(mapping.massMatrix().sum(), 1, 1e-13);
+}
+
 TEST(SplineMortar, isAtLeastOfTheDegreePlusOneOnCurvedPatches) {
     const SurfaceInterface from = quarterCylinder(6, 8, 8);
     const Samples fine(from, 30);
