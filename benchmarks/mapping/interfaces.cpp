@@ -43,7 +43,7 @@ std::vector<int> consecutive(int n) {
 
 } // namespace
 
-mapper::CurveInterface lines(int n, int seed) {
+mapper::CurveInterface lines(int n, int seed, mapper::ValuesAt valuesAt) {
     Points vertices(n + 1, 3);
     std::vector<std::array<int, 2>> elements;
     for (int i = 0; i <= n; ++i) {
@@ -52,7 +52,7 @@ mapper::CurveInterface lines(int n, int seed) {
         if (i > 0)
             elements.push_back({i - 1, i});
     }
-    return mapper::lineMesh(vertices, elements);
+    return mapper::lineMesh(vertices, elements, valuesAt);
 }
 
 mapper::SplineInterface curve(int degree, int nSpans) {

@@ -13,7 +13,8 @@ namespace tokay::benchmark {
 using geometry::Point;
 using geometry::Points;
 
-mapper::CurveInterface lines(int n, int seed);
+mapper::CurveInterface lines(int n, int seed,
+                             mapper::ValuesAt valuesAt = mapper::ValuesAt::vertices);
 /// Of degree 2 at least.
 mapper::SplineInterface curve(int degree, int nSpans);
 

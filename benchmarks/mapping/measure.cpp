@@ -30,10 +30,11 @@ struct Method {
     bool takesSplines = false;
 };
 
-Method radial(const std::string& name, mapper::RadialKernel kernel) {
+Method radial(const std::string& name, mapper::RadialKernel kernel, mapper::RbfSolution solution) {
     return {name, [=](const Setup& setup) {
                 mapper::RbfOptions options;
                 options.kernel = kernel;
+                options.solution = solution;
                 options.gapLimit = pointGapLimit;
                 return std::make_unique<mapper::RbfMapping>(setup.from->coordinates(),
                                                             setup.samples, options);
@@ -69,9 +70,13 @@ std::vector<Method> methodsFor(const Pair& pair) {
                                *setup.from, setup.samples, gapLimit);
                        },
                        false, true});
-    methods.push_back(radial("rbfThinPlate", mapper::RadialKernel::thinPlate));
-    methods.push_back(radial("rbfC2", mapper::RadialKernel::compactC2));
-    methods.push_back(radial("rbfC6", mapper::RadialKernel::compactC6));
+    using mapper::RadialKernel;
+    using mapper::RbfSolution;
+    methods.push_back(radial("rbfThinPlate", RadialKernel::thinPlate, RbfSolution::global));
+    methods.push_back(
+        radial("rbfPartition", RadialKernel::thinPlate, RbfSolution::partitionOfUnity));
+    methods.push_back(radial("rbfC2", RadialKernel::compactC2, RbfSolution::global));
+    methods.push_back(radial("rbfC6", RadialKernel::compactC6, RbfSolution::global));
     return methods;
 }
 

@@ -9,7 +9,7 @@ set xlabel "time to build the mapping [s]"
 set ylabel "error of a smooth field (root mean square)"
 # pair, operator: columns of results.csv
 row(pair, method) = sprintf("< grep '^%s,%s,' results.csv", pair, method)
-fromMesh = "nearestNeighbour nearestElement rbfThinPlate rbfC2 rbfC6 mortar"
+fromMesh = "nearestNeighbour nearestElement rbfThinPlate rbfPartition rbfC2 rbfC6 mortar"
 all = fromMesh . " mortarDual"
 drawn(pair) = strstrt(pair, "D IBRA") ? "nearestElement mortar" : strstrt(pair, "IBRA") ? fromMesh : all
 # The same colour in each part.

@@ -13,12 +13,11 @@ using mapper::ValuesAt;
 std::unique_ptr<mapper::Discretisation> discretisationOf(const MeshFile& mesh, ValuesAt valuesAt) {
     if (!mesh.isLines)
         return std::make_unique<mapper::SurfaceMesh>(mesh.vertices, mesh.cells, valuesAt);
-    if (valuesAt == ValuesAt::faces)
-        throw InputError("a mesh of lines takes values at its vertices only.");
     std::vector<std::array<int, 2>> lines;
     for (const std::vector<int>& cell : mesh.cells)
         lines.push_back({cell[0], cell[1]});
-    return std::make_unique<mapper::CurveInterface>(mapper::lineMesh(mesh.vertices, lines));
+    return std::make_unique<mapper::CurveInterface>(
+        mapper::lineMesh(mesh.vertices, lines, valuesAt));
 }
 
 class MeshSide : public Side {

@@ -58,6 +58,12 @@ void addOperator(CLI::App& app, tool::OperatorOptions& options) {
             options.rbf.kernel = mapper::radialKernelFromName(name);
         },
         "rbf: thinPlate (default), compactC2 or compactC6");
+    using mapper::RbfSolution;
+    app.add_option("--solution", options.rbf.solution,
+                   "rbf: automatic (default: by the number of points), global or partitionOfUnity")
+        ->transform(oneOf<RbfSolution>({{"automatic", RbfSolution::automatic},
+                                        {"global", RbfSolution::global},
+                                        {"partitionOfUnity", RbfSolution::partitionOfUnity}}));
     app.add_option("--radius", options.rbf.radius, "rbf: of compact kernels [m]");
     app.add_option("--neighbours", options.rbf.nNeighbours,
                    "rbf: of compact kernels, if no radius is given");

@@ -27,6 +27,7 @@ TEST(MappingReport, asJsonReadsBackToTheSameNumbers) {
     EXPECT_EQ(read["condition"].as<double>(), report.condition);
     EXPECT_EQ(read["build_s"].as<double>(), report.seconds);
     EXPECT_EQ(read["memory_byte"].as<double>(), report.bytes);
+    EXPECT_EQ(read["regularisation"].as<std::string>(), "");
     EXPECT_GT(report.condition, 1);
 }
 

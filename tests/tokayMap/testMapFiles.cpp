@@ -154,6 +154,15 @@ TEST_F(MapFiles, mapsBetweenLinesButNotByMortarFromLinesToFaces) {
     options.mapping.kind = Operator::mortar;
     mapFiles(options);
     EXPECT_LT(largestLinearError(options.output, "values"), 1e-13);
+    options.mapping.kind = Operator::nearestElement;
+    options.toAt = ValuesAt::faces;
+    mapFiles(options);
+    const std::vector<double> onLines = vtuArrays(options.output).at("values");
+    ASSERT_EQ(onLines.size(), 2u);
+    EXPECT_NEAR(onLines[0], linear(0.15, 0), 1e-14);
+    EXPECT_NEAR(onLines[1], linear(0.65, 0), 1e-14);
+    options.mapping.kind = Operator::mortar;
+    options.toAt = ValuesAt::vertices;
     options.to = faces;
     expectInputError([&] { mapFiles(options); }, {"a.obj", "lines", "nearestElement"});
 }
