@@ -26,7 +26,8 @@ std::string contentOf(const std::string& path) {
 template <class Value>
 std::vector<double> converted(const std::string& bytes) {
     std::vector<Value> values(bytes.size() / sizeof(Value));
-    std::memcpy(values.data(), bytes.data(), values.size() * sizeof(Value));
+    if (!values.empty())
+        std::memcpy(values.data(), bytes.data(), values.size() * sizeof(Value));
     return {values.begin(), values.end()};
 }
 
