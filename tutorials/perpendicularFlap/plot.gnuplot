@@ -6,9 +6,9 @@ set grid
 set key top right
 set ylabel "tip u_x [m]"
 set datafile commentschars "#"
-plot tip using 1:2 with lines linewidth 2 title "Tokay, ".strains." strains", \
+plot tip using 1:2 with lines linewidth 2 title "Tokay, ".(strains eq "beam" ? "beam" : strains." strains"), \
     sprintf("< awk -F, -v s=%s '$1 == s {print $4, $5}' %s", strains, reference) \
-    using 1:2 with points pointtype 6 pointsize 1.5 title "published"
+    using 1:2 with points pointtype 6 pointsize 1.5 title "reference"
 set xlabel "time [s]"
 set ylabel "correctors a step"
 set yrange [0:*]
