@@ -8,6 +8,7 @@
 #include "igaStructure/run/Interruption.hpp"
 #include "igaStructure/run/checkCase.hpp"
 #include "igaStructure/run/runAlone.hpp"
+#include "igaStructure/run/runModes.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -94,6 +95,17 @@ void addCheck(CLI::App& app) {
     check->callback([=] { print(structure::checkCase(structure::readCase(*caseFile))); });
 }
 
+void addModes(CLI::App& app) {
+    CLI::App* command =
+        app.add_subcommand("modes", "Natural frequencies and modes of a case, undamped, at rest");
+    auto caseFile = std::make_shared<std::string>();
+    auto count = std::make_shared<int>(6);
+    command->add_option("CASE.yaml", *caseFile, "Case file")->required();
+    command->add_option("--count", *count, "How many, the lowest ones (6)")
+        ->check(CLI::PositiveNumber);
+    command->callback([=] { structure::runModes(structure::readCase(*caseFile), *count, print); });
+}
+
 void addEntries(CLI::App& app) {
     CLI::App* entries =
         app.add_subcommand("entries", "Print all entries of a case file (Markdown)");
@@ -106,6 +118,7 @@ int runProgram(int argc, char** argv) {
     app.require_subcommand(1);
     addRun(app);
     addCheck(app);
+    addModes(app);
     addEntries(app);
     CLI11_PARSE(app, argc, argv);
     return 0;

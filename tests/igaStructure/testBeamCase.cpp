@@ -165,3 +165,31 @@ TEST(BeamCase, fields_have_the_values_of_the_cantilever) {
     EXPECT_NEAR(body->field("axialStress", state, left)(0, 0), -0.05 * moment * 12 / 1e-3, 1e-6);
     EXPECT_NEAR(body->field("normalForce", state, left)(0, 0), 0, 1e-6);
 }
+
+TEST(BeamCase, load_step_that_is_too_large_is_taken_in_halves) {
+    // A full circle in one load step.
+    std::string text = exampleBeamText("  - {traction: [\"100*y\", 0]}",
+                                       "  - {end: end, moment: \"t*2*pi*366.3003663\"}");
+    const std::string whole = "time: {scheme: static, step: 1, end: 1";
+    text.replace(text.find("time: {step: 0.01, end: 0.1"), 27, whole);
+    const TemporaryDirectory directory;
+    EXPECT_THROW(runText(directory, text), SolverError);
+    text.replace(text.find(whole), whole.size(), whole + ", smallestStep: 0.001");
+    const auto rows = runText(directory, text);
+    ASSERT_EQ(rows.size(), 1u);
+    EXPECT_NEAR(rows[0][1], 0, 0.02); // degree 3, 8 elements
+    EXPECT_NEAR(rows[0][2], -1, 0.02);
+}
+
+TEST(BeamCase, arc_length_run_reaches_its_end_or_its_number_of_steps) {
+    const std::string from = "time: {step: 0.01, end: 0.1";
+    const std::string loads = "\"100*y\"";
+    std::string text = exampleBeamText(loads, "\"1000*t\"");
+    text.replace(text.find(from), from.size(), "time: {scheme: arcLength, step: 0.1, end: 1");
+    const TemporaryDirectory directory;
+    const auto rows = runText(directory, text);
+    EXPECT_GE(rows.back()[0], 1);
+    EXPECT_LT(rows[rows.size() - 2][0], 1);
+    text.replace(text.find("end: 1}"), 7, "end: 1, largestSteps: 3}");
+    EXPECT_EQ(runText(directory, text).size(), 3u);
+}

@@ -58,6 +58,12 @@ class Body {
     };
     virtual Closest closest(const geometry::Point& point) const = 0;
 
+    /// Mass on a square metre of a fluid's interface; 0 if there is no such number.
+    virtual double massPerWetArea() const { return 0; }
+
+    /// What in the choice of this kinematics may matter, with its estimate.
+    virtual std::vector<std::string> advice() const { return {}; }
+
     /// @param points       of the fluid's interface, nPoints x 3 [m]
     /// @param faceCentres  nFaces x 3 [m]
     /// @throws InputError if the two sides do not fit: names, gaps

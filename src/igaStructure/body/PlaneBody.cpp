@@ -89,6 +89,14 @@ Body::Closest PlaneBody::closest(const geometry::Point& point) const {
     return {{0, found.xi, found.eta, 0}, found.distance};
 }
 
+double PlaneBody::massPerWetArea() const {
+    Eigen::VectorXd alongX = Eigen::VectorXd::Zero(solid_.nUnknowns());
+    for (Eigen::Index k = 0; k < alongX.size(); k += 2) {
+        alongX[k] = 1;
+    }
+    return alongX.dot(solid_.massMatrix() * alongX) / (solid_.size() * solid_.material().thickness);
+}
+
 std::unique_ptr<InterfaceTransfer> PlaneBody::transfer(const Coupling& coupling,
                                                        const geometry::Points& points,
                                                        const geometry::Points& faceCentres) const {

@@ -26,6 +26,8 @@ class PlaneBody : public Body {
     Eigen::MatrixXd field(const std::string& name, const MotionState& state,
                           const std::vector<Place>& places) const override;
     Closest closest(const geometry::Point& point) const override;
+    /// Of the whole body, over its largest extent.
+    double massPerWetArea() const override;
     std::unique_ptr<InterfaceTransfer> transfer(const Coupling& coupling,
                                                 const geometry::Points& points,
                                                 const geometry::Points& faceCentres) const override;

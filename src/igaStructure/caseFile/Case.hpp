@@ -16,8 +16,11 @@ namespace tokay::structure {
 
 /// Time steps of a run alone, which begins at 0.
 struct TimeSteps {
-    double step; ///< [s]
-    double end;  ///< [s]
+    double step;              ///< [s]
+    double end;               ///< [s]
+    double smallestStep;      ///< a failed step is halved down to this; step: never [s]
+    int largestPathSteps = 0; ///< follow the equilibrium path by so many steps; 0: do not
+    bool isExplicit = false;  ///< central differences
 };
 
 /// Geometry, model, material, supports and loads of one of the kinematics.

@@ -30,14 +30,24 @@ TimeScheme readTimeScheme(const CaseSection& section) {
     };
     const std::string scheme = section.text("scheme");
     if (scheme == "static") {
-        requireUsed(section, {"scheme", "step", "end"}, "scheme static");
+        requireUsed(section, {"scheme", "step", "end", "smallestStep"}, "scheme static");
+        return TimeScheme::quasiStatic();
+    }
+    if (scheme == "explicit") {
+        requireUsed(section, {"scheme", "step", "end"}, "scheme explicit");
+        return TimeScheme::newmark(0.25, 0.5); // not looked at
+    }
+    if (scheme == "arcLength") {
+        requireUsed(section, {"scheme", "step", "end", "largestSteps"}, "scheme arcLength");
         return TimeScheme::quasiStatic();
     }
     if (scheme == "newmark") {
-        requireUsed(section, {"scheme", "beta", "gamma", "step", "end"}, "scheme newmark");
+        requireUsed(section, {"scheme", "beta", "gamma", "step", "end", "smallestStep"},
+                    "scheme newmark");
         return TimeScheme::newmark(numberOr("beta", 0.25), numberOr("gamma", 0.5));
     }
-    requireUsed(section, {"scheme", "spectralRadius", "step", "end"}, "scheme generalisedAlpha");
+    requireUsed(section, {"scheme", "spectralRadius", "step", "end", "smallestStep"},
+                "scheme generalisedAlpha");
     return TimeScheme::generalisedAlpha(numberOr("spectralRadius", 0.8));
 }
 
@@ -52,11 +62,19 @@ std::optional<TimeSteps> readTimeSteps(const CaseSection& section) {
                                                 name));
         }
     }
-    const TimeSteps steps{section.number("step"), section.number("end")};
+    TimeSteps steps{section.number("step"), section.number("end"), section.number("step")};
     if (steps.end < steps.step) {
         throw section.error(
             "end", fmt::format("{} s is shorter than one step of {} s", steps.end, steps.step));
     }
+    if (section.has("smallestStep")) {
+        steps.smallestStep = section.number("smallestStep");
+    }
+    if (section.text("scheme") == "arcLength") {
+        steps.largestPathSteps =
+            section.has("largestSteps") ? section.integer("largestSteps") : 1000;
+    }
+    steps.isExplicit = section.text("scheme") == "explicit";
     return steps;
 }
 

@@ -10,8 +10,8 @@ const std::vector<CaseEntry>& solutionEntries() {
     // path, kind, presence, default, unit, allowed, count, meaning
     {"time", Kind::map, defaulted, "{}", "", "", 0,
      "Time integration."},
-    {"time.scheme", Kind::word, defaulted, "generalisedAlpha", "", "generalisedAlpha newmark static", 0,
-     "generalisedAlpha: Chung & Hulbert 1993, order 2, dissipates high frequencies only. newmark: by beta and gamma. static: no inertia, a load step each time step."},
+    {"time.scheme", Kind::word, defaulted, "generalisedAlpha", "", "generalisedAlpha newmark static arcLength explicit", 0,
+     "generalisedAlpha: Chung & Hulbert 1993, order 2, dissipates high frequencies only. newmark: by beta and gamma. static: no inertia, a load step each time step. arcLength: run alone, static, follows the path of equilibrium through limit points, time being the loads' parameter that may fall again. explicit: run alone, central differences with lumped mass; each time step is taken in as many parts as stability needs."},
     {"time.spectralRadius", Kind::number, optional, "", "", "[0, 1]", 0,
      "generalisedAlpha: amplification of infinitely high frequencies; 1 keeps all energy, 0 annihilates them in one step. 0.8 if not given."},
     {"time.beta", Kind::number, optional, "", "", "(0, 0.5]", 0,
@@ -19,7 +19,11 @@ const std::vector<CaseEntry>& solutionEntries() {
     {"time.gamma", Kind::number, optional, "", "", "[0.5, 1]", 0,
      "newmark: 0.5 if not given; larger values dissipate and reduce the order to 1."},
     {"time.step", Kind::number, optional, "", "s", "(0, inf)", 0,
-     "Time step of a run alone; a coupled run takes the fluid's."},
+     "Time step of a run alone; a coupled run takes the fluid's. arcLength: of the first step; the displacement's change in it is the longest step along the path."},
+    {"time.smallestStep", Kind::number, optional, "", "s", "(0, inf)", 0,
+     "Run alone: a step in which equilibrium is not found is taken in halves, down to this length, and in longer parts again after success; not if not given."},
+    {"time.largestSteps", Kind::integer, optional, "", "", "[1, inf)", 0,
+     "arcLength: steps after which the run ends if it has not reached time.end; 1000 if not given."},
     {"time.end", Kind::number, optional, "", "s", "(0, inf)", 0,
      "End of a run alone, which begins at 0; a coupled run takes the fluid's."},
 

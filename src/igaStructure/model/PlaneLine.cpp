@@ -76,6 +76,17 @@ double PlaneLine::bendingMoment(const LineStrain& strain) const {
     return section_.bends() ? section_.bendingStiffness * strain.curvature : 0;
 }
 
+SparseMatrix PlaneLine::lumpedMassMatrix() const {
+    VectorXd masses = VectorXd::Zero(nUnknowns());
+    for (const LinePoint& point : points_) {
+        for (int a = 0; a < point.N.cols(); ++a) {
+            masses.segment<2>(2 * (point.first + a)).array() +=
+                section_.mass * point.length * point.N(0, a);
+        }
+    }
+    return frames_.matrix(SparseMatrix(masses.asDiagonal()));
+}
+
 // Work-conjugate to the derivatives of the position, per length.
 Eigen::Vector4d PlaneLine::conjugate(const LineStrain& strain,
                                      const LineDerivatives& displacement) const {
@@ -192,6 +203,14 @@ std::vector<std::string> PlaneLine::freeRigidMotions() const {
 double PlaneLine::size() const {
     const geometry::Points& points = curve_.controlPoints();
     return (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
+}
+
+double PlaneLine::length() const {
+    double length = 0;
+    for (const LinePoint& point : points_) {
+        length += point.length;
+    }
+    return length;
 }
 
 LineState PlaneLine::stateAt(double xi, const VectorXd& displacement) const {

@@ -32,6 +32,9 @@ class PlaneLine : public StructuralModel {
 
     /// With the rotary inertia of the reference configuration, if the section has it.
     SparseMatrix massMatrix() const override;
+    /// Of control points, as row sums of the consistent one without rotary
+    /// inertia; where a rotation is held, as its unknowns have it.
+    SparseMatrix lumpedMassMatrix() const override;
     double massDamping() const override { return section_.massDamping; }
     double stiffnessDamping() const override { return section_.stiffnessDamping; }
     Internal internalForce(const Eigen::VectorXd& displacement) const override;
@@ -59,6 +62,9 @@ class PlaneLine : public StructuralModel {
     Eigen::VectorXd onUnknowns(const Eigen::VectorXd& onControlPoints) const {
         return frames_.forces(onControlPoints);
     }
+
+    /// Of the axis [m].
+    double length() const;
 
     LineState stateAt(double xi, const Eigen::VectorXd& displacement) const;
 

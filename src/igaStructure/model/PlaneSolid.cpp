@@ -120,6 +120,11 @@ SparseMatrix PlaneSolid::massMatrix() const {
     return mass;
 }
 
+SparseMatrix PlaneSolid::lumpedMassMatrix() const {
+    const Eigen::VectorXd rowSums = massMatrix() * Eigen::VectorXd::Ones(nUnknowns());
+    return SparseMatrix(rowSums.asDiagonal());
+}
+
 PlaneSolid::Strain PlaneSolid::strain(const Eigen::Matrix2d& H) const {
     if (strains_ == Strains::linear) {
         return {{H(0, 0), H(1, 1), H(0, 1) + H(1, 0)}, Eigen::Matrix2d::Identity(), 1};

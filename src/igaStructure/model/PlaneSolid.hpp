@@ -30,6 +30,8 @@ class PlaneSolid : public StructuralModel {
     int nComponents() const override { return 2; }
     bool isLinear() const override { return strains_ == Strains::linear; }
     SparseMatrix massMatrix() const override;
+    /// Row sums of the consistent one.
+    SparseMatrix lumpedMassMatrix() const override;
     double massDamping() const override { return material_.massDamping; }
     double stiffnessDamping() const override { return material_.stiffnessDamping; }
     Internal internalForce(const Eigen::VectorXd& displacement) const override;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "common/errors.hpp"
+
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
@@ -24,6 +26,13 @@ class StructuralModel {
 
     /// Consistent mass matrix [kg].
     virtual SparseMatrix massMatrix() const = 0;
+
+    /// Lumped mass matrix for explicit time integration [kg].
+    /// @throws InputError if the kinematics has none
+    virtual SparseMatrix lumpedMassMatrix() const {
+        throw InputError("time.scheme: explicit is not possible with this kinematics, which has "
+                         "no lumped mass; choose another scheme");
+    }
 
     /// Rayleigh damping factors (mass [1/s], stiffness [s]).
     virtual double massDamping() const = 0;

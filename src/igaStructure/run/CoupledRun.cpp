@@ -156,6 +156,14 @@ void Session::record(const Answer& accepted) {
     }
 }
 
+void requireImplicit(const Case& structureCase) {
+    if (structureCase.timeSteps &&
+        (structureCase.timeSteps->largestPathSteps > 0 || structureCase.timeSteps->isExplicit)) {
+        throw InputError(structureCase.file + ": time.scheme: arcLength and explicit are for a run "
+                                              "alone; choose another scheme for a coupled one");
+    }
+}
+
 } // namespace
 
 void runCoupled(const std::string& caseFile, coupling::Channel channel,
@@ -168,6 +176,7 @@ void runCoupled(const std::string& caseFile, coupling::Channel channel,
             throw InputError(structureCase.file + ": entry 'coupling' is missing: a coupled run "
                                                   "needs it (coupling: {interface: [edges]})");
         }
+        requireImplicit(structureCase);
         Session(structureCase, link, options, report).run();
     } catch (const coupling::PeerFailure&) {
         throw; // it has ended already

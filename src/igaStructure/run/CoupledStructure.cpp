@@ -44,7 +44,7 @@ Answer CoupledStructure::acceptTimeStep(const std::vector<double>& forces, bool 
         timer_.time(Phase::acceleration, [&] { return driver_.acceptTimeStep(xTilde); });
     report_.firstResidual = driver_.statistics().firstResidual;
     report_.nColumns = driver_.statistics().nColumns;
-    output_.finishStep(report_, integrator_, timer_, writeResults);
+    output_.finishStep(report_, integrator_.state(), integrator_.energies(), timer_, writeResults);
     return {xTilde, report_.lastResidual, true};
 }
 

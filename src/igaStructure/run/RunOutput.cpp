@@ -51,24 +51,23 @@ RunOutput::RunOutput(const Case& structureCase, const Body& body, const MotionSt
       startTime_(start.time), endTime_(endTime), report_(std::move(report)), start_(Clock::now()),
       stepStart_(start_) {}
 
-void RunOutput::finishStep(const StepReport& step, const TimeIntegrator& integrator,
-                           PhaseTimer& timer, bool writeResults) {
+void RunOutput::finishStep(const StepReport& step, const MotionState& state,
+                           const Energies& energies, PhaseTimer& timer, bool writeResults) {
     if (writeResults) {
-        timer.time(Phase::output, [&] { results_.add(integrator.state()); });
+        timer.time(Phase::output, [&] { results_.add(state); });
     }
     const Clock::time_point now = Clock::now();
     const double seconds = secondsBetween(stepStart_, now);
     stepStart_ = now;
     const Clock::time_point tablesStart = Clock::now();
-    writeTables(step, integrator, timer, seconds);
-    report_(logLine(step, integrator.state(), seconds));
+    writeTables(step, state, energies, timer, seconds);
+    report_(logLine(step, state, seconds));
     timer.reset();
     timer.add(Phase::output, secondsBetween(tablesStart, Clock::now()));
 }
 
-void RunOutput::writeTables(const StepReport& step, const TimeIntegrator& integrator,
-                            const PhaseTimer& timer, double seconds) {
-    const MotionState& state = integrator.state();
+void RunOutput::writeTables(const StepReport& step, const MotionState& state,
+                            const Energies& energies, const PhaseTimer& timer, double seconds) {
     if (!watch_.isEmpty()) {
         std::vector<double> row = {state.time};
         const std::vector<double> values = watch_.values(state.displacement);
@@ -81,7 +80,6 @@ void RunOutput::writeTables(const StepReport& step, const TimeIntegrator& integr
                             timer.seconds(Phase::waiting), timer.seconds(Phase::mapping),
                             timer.seconds(Phase::solving), timer.seconds(Phase::acceleration),
                             timer.seconds(Phase::output)});
-    const Energies& energies = integrator.energies();
     energyTable_.addRow({state.time, energies.kinetic, energies.strain, energies.externalWork,
                          energies.dampingWork});
 }

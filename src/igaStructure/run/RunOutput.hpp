@@ -23,11 +23,11 @@ class RunOutput {
     /// Reports an accepted step and resets the timer.
     /// @param writeResults  also the .vtu and .pvd files
     /// @throws OutputError
-    void finishStep(const StepReport& step, const TimeIntegrator& integrator, PhaseTimer& timer,
-                    bool writeResults);
+    void finishStep(const StepReport& step, const MotionState& state, const Energies& energies,
+                    PhaseTimer& timer, bool writeResults);
 
   private:
-    void writeTables(const StepReport& step, const TimeIntegrator& integrator,
+    void writeTables(const StepReport& step, const MotionState& state, const Energies& energies,
                      const PhaseTimer& timer, double seconds);
     std::string logLine(const StepReport& step, const MotionState& state, double seconds) const;
 

@@ -4,6 +4,7 @@
 #include "igaStructure/caseFile/readCoupling.hpp"
 #include "igaStructure/output/chosenFields.hpp"
 #include "igaStructure/run/Watch.hpp"
+#include "igaStructure/run/advise.hpp"
 #include "igaStructure/run/describeModel.hpp"
 #include "igaStructure/timeIntegration/TimeIntegrator.hpp"
 
@@ -57,7 +58,8 @@ std::string checkCase(const Case& structureCase) {
            fmt::format("  memory: {:.3g} MB for matrices, {:.3g} million entries in the factor\n",
                        integrator.bytes() / 1e6, integrator.solver().nFactorEntries() / 1e6) +
            fmt::format("  linear algebra: CHOLMOD on {}\n", blasLibrary()) +
-           describeUse(structureCase) + warnings(structureCase, *body);
+           describeUse(structureCase) + warnings(structureCase, *body) +
+           advise(structureCase, *body);
 }
 
 } // namespace tokay::structure

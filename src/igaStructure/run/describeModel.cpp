@@ -8,7 +8,11 @@ namespace tokay::structure {
 
 namespace {
 
-std::string describeScheme(const TimeScheme& scheme) {
+std::string describeScheme(const Case& structureCase) {
+    const TimeScheme& scheme = structureCase.timeScheme;
+    if (structureCase.timeSteps && structureCase.timeSteps->isExplicit) {
+        return "explicit, central differences, lumped mass";
+    }
     if (!scheme.dynamic) {
         return "static";
     }
@@ -29,7 +33,7 @@ std::string describeModel(const Case& structureCase, const Body& body) {
                        structureCase.name, structureCase.file, body.description(),
                        model.nUnknowns(), std::count(fixed.begin(), fixed.end(), true),
                        model.massDamping(), model.stiffnessDamping(),
-                       describeScheme(structureCase.timeScheme));
+                       describeScheme(structureCase));
 }
 
 } // namespace tokay::structure

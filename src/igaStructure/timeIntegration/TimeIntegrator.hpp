@@ -2,6 +2,7 @@
 
 #include "igaStructure/linearAlgebra/SparseCholesky.hpp"
 #include "igaStructure/model/StructuralModel.hpp"
+#include "igaStructure/timeIntegration/Energies.hpp"
 #include "igaStructure/timeIntegration/MotionState.hpp"
 #include "igaStructure/timeIntegration/NewtonOptions.hpp"
 #include "igaStructure/timeIntegration/TimeScheme.hpp"
@@ -11,14 +12,6 @@
 #include <optional>
 
 namespace tokay::structure {
-
-/// Energies of a structure [J], per unit depth where its forces are.
-struct Energies {
-    double kinetic = 0;
-    double strain = 0;
-    double externalWork = 0; ///< done by external forces since the start
-    double dampingWork = 0;  ///< taken by Rayleigh damping since the start
-};
 
 /// Advances a structure in time. A step may be solved several times, each time
 /// with another interface force, before it is accepted.

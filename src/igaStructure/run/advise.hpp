@@ -1,0 +1,15 @@
+#pragma once
+
+#include "igaStructure/body/Body.hpp"
+#include "igaStructure/caseFile/Case.hpp"
+
+#include <string>
+
+namespace tokay::structure {
+
+/// What looks doubtful in a case's choice of model and numbers, each with the
+/// estimate behind it, for a person: lines that begin with "advice: ". It needs a
+/// factorisation and the first natural modes.
+std::string advise(const Case& structureCase, Body& body);
+
+} // namespace tokay::structure

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "igaStructure/caseFile/Case.hpp"
+#include "igaStructure/run/StepReport.hpp"
+
+namespace tokay::structure {
+
+/// Computes the lowest natural modes of a case at rest: a line each for the log,
+/// the table postProcessing/<name>/modes.dat, and the mode shapes for ParaView
+/// (<name>Modes.pvd; the mode's number as time, the largest displacement of a
+/// control point a tenth of the structure's size).
+/// @throws InputError, SolverError, OutputError
+void runModes(const Case& structureCase, int count, const Report& report);
+
+} // namespace tokay::structure

@@ -1,0 +1,109 @@
+#include "igaStructure/timeIntegration/ExplicitIntegrator.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace tokay::structure {
+
+using Eigen::VectorXd;
+
+namespace {
+
+// Power iterations; the estimate comes from below, within 1 % after these.
+constexpr int nPowerIterations = 60;
+
+void setFixedToZero(const std::vector<bool>& fixed, VectorXd& vector) {
+    for (std::size_t k = 0; k < fixed.size(); ++k) {
+        if (fixed[k]) {
+            vector[k] = 0;
+        }
+    }
+}
+
+void requireNoStiffnessDamping(const StructuralModel& model) {
+    if (model.stiffnessDamping() > 0) {
+        throw InputError("material.rayleighDamping.stiffness: explicit time integration has mass "
+                         "damping only; set it to 0, or choose another time.scheme");
+    }
+}
+
+} // namespace
+
+ExplicitIntegrator::ExplicitIntegrator(StructuralModel& model, double startTime)
+    : model_(model), mass_(model.lumpedMassMatrix()), solver_(mass_, model.fixed()) {
+    requireNoStiffnessDamping(model);
+    solver_.factorise(mass_);
+    state_.time = startTime;
+    state_.displacement = VectorXd::Zero(model.nUnknowns());
+    state_.velocity = state_.displacement;
+    vibration_.resize(model.nUnknowns());
+    for (Eigen::Index k = 0; k < vibration_.size(); ++k) {
+        vibration_[k] = std::sin(1.0 + 2.9 * static_cast<double>(k)); // has a part of every mode
+    }
+    totalForce_ = external(startTime);
+    state_.force = model.externalForce(startTime);
+    state_.acceleration = acceleration(state_.velocity);
+}
+
+VectorXd ExplicitIntegrator::external(double time) const {
+    VectorXd force = model_.externalForce(time);
+    model_.addFollowerForce(state_.displacement, time, force);
+    return force;
+}
+
+VectorXd ExplicitIntegrator::acceleration(const VectorXd& velocity) const {
+    VectorXd force = totalForce_ - model_.internalForce(state_.displacement).force;
+    if (model_.massDamping() > 0) {
+        force -= model_.massDamping() * (mass_ * velocity);
+    }
+    return solver_.solve(force);
+}
+
+double ExplicitIntegrator::stableStep(const VectorXd& displacement) {
+    SparseMatrix tangent;
+    model_.internalForce(displacement, tangent);
+    setFixedToZero(model_.fixed(), vibration_);
+    double square = 0; // of the angular frequency
+    for (int k = 0; k < nPowerIterations; ++k) {
+        vibration_ /= std::sqrt(vibration_.dot(mass_ * vibration_));
+        const VectorXd force = tangent * vibration_;
+        square = vibration_.dot(force);
+        vibration_ = solver_.solve(force);
+    }
+    return 2 / std::sqrt(1.01 * square);
+}
+
+void ExplicitIntegrator::advancePart(double time, double deltaT) {
+    const VectorXd middle = state_.velocity + 0.5 * deltaT * state_.acceleration;
+    const VectorXd motion = deltaT * middle;
+    state_.displacement += motion;
+    state_.time = time;
+    const VectorXd before = totalForce_;
+    totalForce_ = external(time);
+    energies_.externalWork += 0.5 * motion.dot(before + totalForce_);
+    energies_.dampingWork += model_.massDamping() * motion.dot(mass_ * middle);
+    state_.acceleration = acceleration(middle);
+    state_.velocity = middle + 0.5 * deltaT * state_.acceleration;
+}
+
+void ExplicitIntegrator::advance(double time) {
+    const double start = state_.time;
+    const double limit = safety * stableStep(state_.displacement);
+    nParts_ = static_cast<int>(std::ceil((time - start) / limit * (1 - 1e-12)));
+    const double deltaT = (time - start) / nParts_;
+    for (int part = 1; part <= nParts_; ++part) {
+        advancePart(part == nParts_ ? time : start + part * deltaT, deltaT);
+    }
+    state_.force = model_.externalForce(time);
+    energies_.kinetic = 0.5 * state_.velocity.dot(mass_ * state_.velocity);
+    energies_.strain = model_.strainEnergy(state_.displacement);
+    if (!state_.displacement.allFinite() || !std::isfinite(energies_.strain)) {
+        throw SolverError(fmt::format("time {:.6g} s: the motion is not finite, in {} parts of "
+                                      "{:.3g} s each; use a smaller time.step, so that the stable "
+                                      "step is estimated more often",
+                                      time, nParts_, deltaT));
+    }
+}
+
+} // namespace tokay::structure

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "igaStructure/linearAlgebra/SparseCholesky.hpp"
+#include "igaStructure/model/StructuralModel.hpp"
+#include "igaStructure/timeIntegration/Energies.hpp"
+#include "igaStructure/timeIntegration/MotionState.hpp"
+
+namespace tokay::structure {
+
+/// Advances a structure by central differences with the lumped mass: no
+/// equilibrium iterations, but stable only for steps below 2 / (highest angular
+/// frequency). That limit is estimated from the tangent, and a step is taken in
+/// as many equal parts as it needs.
+///
+/// Mass damping is taken at the middle of a part; stiffness damping, which would
+/// lower the limit further, is refused.
+class ExplicitIntegrator {
+  public:
+    /// Share of the stable step that is used: the tangent stiffens on the way.
+    static constexpr double safety = 0.9;
+
+    /// Starts at rest, undeformed.
+    /// @param model  is kept by reference
+    /// @throws InputError if the model has stiffness damping
+    ExplicitIntegrator(StructuralModel& model, double startTime);
+
+    /// @param time    at the end of the step [s]
+    /// @throws SolverError if the motion grows beyond all bounds
+    void advance(double time);
+
+    /// Velocity at the state's time.
+    const MotionState& state() const { return state_; }
+    const Energies& energies() const { return energies_; }
+    /// Of the last step.
+    int nParts() const { return nParts_; }
+
+    /// Largest stable step at a state [s].
+    double stableStep(const Eigen::VectorXd& displacement);
+
+  private:
+    Eigen::VectorXd external(double time) const;
+    Eigen::VectorXd acceleration(const Eigen::VectorXd& velocity) const;
+    void advancePart(double time, double deltaT);
+
+    StructuralModel& model_;
+    SparseMatrix mass_;
+    mutable SparseCholesky solver_;
+    MotionState state_;
+    Eigen::VectorXd totalForce_; ///< followers included
+    Eigen::VectorXd vibration_;  ///< of the highest frequency, from the last estimate
+    Energies energies_;
+    int nParts_ = 0;
+};
+
+} // namespace tokay::structure
