@@ -176,3 +176,9 @@ turnToYz()
     transformPoints -rotate '((1 0 0) (0 1 0))' >> log.transformPoints 2>&1
     entry 0/U internalField 'uniform (0 10 0)'
 }
+
+# The points of the last step are kept
+writeAtEnd()
+{
+    entry system/controlDict writeInterval 0.03
+}

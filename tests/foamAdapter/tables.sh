@@ -106,3 +106,21 @@ expectSameTable()
     awk -v difference="$difference" -v tolerance="$2" 'BEGIN { exit !(difference <= tolerance) }' \
         || fail "$1: $3 and $4 differ by $difference of the largest value, more than $2"
 }
+
+# flapPoints ACROSS UP: of such rows those on the flap, where these columns are
+# the coordinates across and along it. The flap has no mesh inside
+flapPoints()
+{
+    awk -v a="$1" -v u="$2" '$a > -0.0501 && $a < 0.0501 && $u < 1.0001' | sort
+}
+
+# expectSway ACROSS UP FILE NPOINTS: the rows have fakeStructure's sway at 0.03 s
+expectSway()
+{
+    expectEqual "points on the flap" "$(wc -l < "$3")" "$4"
+    awk -v a="$1" -v u="$2" -v OFMT=%.15g '
+        { for (c = 1; c <= 3; ++c) print c == a ? 0.05*sin(20*0.03)*$u : 0 }' "$3" > expected
+    awk '{ print $4; print $5; print $6 }' "$3" > actual
+    # Coordinates of up to 4 with 14 digits, against displacements of 0.03
+    expectSameTable displacement 1e-11 expected actual
+}

@@ -116,8 +116,6 @@ splitFlap()
         system/blockMeshDict
     blockMesh > log.blockMesh 2>&1 || fail "blockMesh failed"
     sed -i 's/^    flap$/    "flap.*"/; s/(inlet|flap|/(inlet|flap.*|/' 0/p 0/U 0/pointDisplacement
-    entry constant/dynamicMeshDict displacementLaplacianCoeffs.diffusivity \
-        'quadratic inverseDistance (flapLeft flapTop flapRight)'
 }
 
 property deformedStart "a start from a deformed mesh sends the undeformed points and the displacement"

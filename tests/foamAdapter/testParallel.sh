@@ -9,7 +9,7 @@ prepare()
     tightenSolvers
     behave sway
     # Distances from a patch, which other diffusivities take, depend on the ranks
-    entry constant/dynamicMeshDict displacementLaplacianCoeffs.diffusivity uniform
+    entry constant/dynamicMeshDict harmonicBasisCoeffs.diffusivity uniform
 }
 
 # compareWithSerial RANKS [MESH]

@@ -1,0 +1,173 @@
+#!/usr/bin/env bash
+# The motion solver harmonicBasis: the mesh as a product.
+source "$(dirname "$0")/harness.sh"
+
+# makeSway FOLDER [MESH]: fakeStructure's sway
+makeSway()
+{
+    makeCase "$1" "${2:-plane}"
+    behave sway
+    writeAtEnd
+}
+
+# basis KEY VALUE: sets an entry of the motion solver
+basis()
+{
+    entry constant/dynamicMeshDict "harmonicBasisCoeffs.$1" "$2"
+}
+
+# moved FOLDER: displacements of all points, the two planes of a 2D mesh too
+moved()
+{
+    movedPoints "$1/constant/polyMesh/points" "$1/0.03/polyMesh/points"
+}
+
+property plane "harmonicBasis: in 2D the points of both planes follow the structure, in any plane"
+plane()
+{
+    local mesh
+    for mesh in "plane 1 2" "xz 1 3" "yz 2 3"
+    do
+        set -- $mesh
+        makeSway "$1" "$1"
+        runFluid
+        moved . | flapPoints "$2" "$3" > moved
+        expectSway "$2" "$3" moved 30
+    done
+}
+
+property solid "harmonicBasis: in 3D the points of the surface follow the structure"
+solid()
+{
+    makeSway fluid solid
+    runFluid
+    # At the foot the channel's bottom, a later patch, holds them
+    moved . | flapPoints 1 2 | awk '$2 > 0' > moved
+    expectSway 1 3 moved 39
+}
+
+property others "harmonicBasis: points of the other walls stay, those between follow"
+others()
+{
+    makeSway fluid
+    runFluid
+    moved . > all
+    awk '$1 == -3 || $1 == 3 || $2 == 4 || ($2 == 0 && $1^2 > 0.003) { print $4, $5, $6 }' all | sort -u > still
+    expectEqual "displacements of the outer boundary" "$(cat still)" "0 0 0"
+    awk '$1^2 > 0.0026 && $1 > -2.9 && $1 < 2.9 && $2 > 0.1 && $2 < 3.9 && $4 == 0' all > stuck
+    expectEqual "points between that did not follow" "$(wc -l < stuck)" 0
+}
+
+property parallel "harmonicBasis: the mesh is the same on any number of ranks"
+parallel()
+{
+    local ranks
+    makeSway serial
+    runFluid
+    moved . | awk '{ $3 = 0; print }' | sort -u > ../one
+    makeSway parallel
+    decompose 2
+    runFluid 2
+    reconstructPar -time 0.03 > log.reconstructPar 2>&1 || fail "reconstructPar failed"
+    reconstructParMesh -time 0.03 > log.reconstructParMesh 2>&1 || true
+    for ranks in 0 1
+    do
+        moved "processor$ranks"
+    done | awk '{ $3 = 0; print }' | sort -u > two
+    awk 'NR == FNR { u[$1 " " $2] = $4 " " $5; next } { print $4, $5 > "actual"; print u[$1 " " $2] > "expected" }' ../one two
+    # Both solve the extensions to 1e-12 of their normalised residual
+    expectSameTable displacement 1e-7 expected actual
+}
+
+property laplacian "harmonicBasis: a small motion is that of a converged displacementLaplacian"
+laplacian()
+{
+    makeSway product
+    basis diffusivity 'inverseDistance (flap)'
+    entry system/controlDict endTime 0.001
+    entry system/controlDict deltaT 0.001
+    entry system/controlDict writeInterval 0.001
+    runFluid
+    movedPoints constant/polyMesh/points 0.001/polyMesh/points | awk '{ print $4, $5 }' > ../product.moved
+    cp -r . ../solution
+    cd ../solution
+    rm -rf 0.001 postProcessing
+    sed -i 's/harmonicBasis/displacementLaplacian/; s/tokayFoamAdapter/fvMotionSolvers/' constant/dynamicMeshDict
+    sed -i '/^solvers/,/^{/ s|^{|{ "cellDisplacement.*" { solver PCG; preconditioner DIC; tolerance 1e-8; relTol 0; minIter 300; }|' \
+        system/fvSolution
+    runFluid
+    movedPoints constant/polyMesh/points 0.001/polyMesh/points | awk '{ print $4, $5 }' > moved
+    # The motion is a thousandth of the flap's height, and the limit of the
+    # diffusivity at the boundary makes a difference within the first cells
+    expectSameTable displacement 0.02 ../product.moved moved
+}
+
+property memory "harmonicBasis: where the boundary returns the mesh returns"
+memory()
+{
+    makeSway fluid
+    # Three steps of a third of the sway's half period
+    # (foamDictionary would round them)
+    sed -i 's/^\(deltaT\) .*/\1 0.0523598775598299;/
+        s/^\(endTime\|writeInterval\) .*/\1 0.157079632679490;/' system/controlDict
+    runFluid
+    movedPoints constant/polyMesh/points 0.157*/polyMesh/points \
+        | awk '{ print $4, $5, $6 }' | tr ' ' '\n' | sort -g > moved
+    # The largest displacement has been 0.05
+    awk 'function size(x) { return x < 0 ? -x : x } { if (size($1) > 1e-13) exit 1 }' moved \
+        || fail "points are off by $(head -n 1 moved) to $(tail -n 1 moved) m"
+}
+
+property linear "harmonicBasis: a linear motion of the boundary needs few functions"
+linear()
+{
+    makeSway fluid
+    basis nFunctions 5
+    basis fitLimit 1e-9
+    runFluid
+    expectText log.pimpleFoam "harmonicBasis: 5 functions for 30 boundary points"
+    expectNoText log.pimpleFoam "harmonicBasis: 10 functions"
+}
+
+property doubling "harmonicBasis: where the functions fall short their number is doubled, up to all places"
+doubling()
+{
+    makeSway fluid
+    basis nFunctions 1
+    basis fitLimit 0
+    runFluid
+    expectText log.pimpleFoam "harmonicBasis: 1 functions" "harmonicBasis: 2 functions"
+    # The curve has 15 points
+    expectText log.pimpleFoam "harmonicBasis: 15 functions"
+    moved . | flapPoints 1 2 > moved
+    expectSway 1 2 moved 30
+}
+
+property noPatch "harmonicBasis: patches that are not there are refused"
+noPatch()
+{
+    makeSway fluid
+    basis patches "(flag)"
+    runFaultyFluid
+    expectText log.pimpleFoam "no patch matches 'patches'" "flag" "dynamicMeshDict"
+}
+
+property otherPatch "harmonicBasis: a motion of other patches is refused"
+otherPatch()
+{
+    makeSway fluid
+    basis patches "(upperWall)"
+    runFaultyFluid
+    expectText log.pimpleFoam "a patch that is not among 'patches' moves" "harmonicBasisCoeffs"
+}
+
+property noMemory "harmonicBasis: a basis beyond the memory limit is refused"
+noMemory()
+{
+    makeSway fluid
+    basis memoryLimit 0.001
+    runFaultyFluid
+    expectText log.pimpleFoam "more than the 'memoryLimit' of 0.001 MB" "displacementLaplacian"
+}
+
+runProperties "$@"
