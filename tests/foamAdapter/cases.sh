@@ -161,6 +161,8 @@ openSides()
     do
         entry 0/$field boundaryField.frontAndBack.type zeroGradient
     done
+    # Such sides are no boundary conditions of a flow, and SIMPLEC notices
+    manyCorrectors
 }
 
 doubleCellsAcross()
@@ -175,6 +177,22 @@ turnToYz()
     transformPoints -rotate '((0 1 0) (0 0 1))' > log.transformPoints 2>&1
     transformPoints -rotate '((1 0 0) (0 1 0))' >> log.transformPoints 2>&1
     entry 0/U internalField 'uniform (0 10 0)'
+}
+
+# useLaplacian: OpenFOAM's mesh motion, converged
+useLaplacian()
+{
+    sed -i 's/harmonicBasis/displacementLaplacian/; s/tokayFoamAdapter/fvMotionSolvers/' constant/dynamicMeshDict
+    entry constant/dynamicMeshDict displacementLaplacianCoeffs.diffusivity 'quadratic inverseDistance (flap)'
+    sed -i '/^solvers/,/^{/ s|^{|{ "cellDisplacement.*" { solver PCG; preconditioner DIC; tolerance 1e-8; relTol 0; minIter 300; }|' \
+        system/fvSolution
+}
+
+# Five correctors of the pressure, and no SIMPLEC
+manyCorrectors()
+{
+    entry system/fvSolution PIMPLE.consistent no
+    entry system/fvSolution PIMPLE.nCorrectors 5
 }
 
 # The points of the last step are kept

@@ -16,6 +16,7 @@ property library "without the adapter's library the run does not go on uncoupled
 library()
 {
     makeCase fluid
+    useLaplacian
     FOAM_USER_LIBBIN=$PWD LD_LIBRARY_PATH= expectRefusal \
         'libtokayFoamAdapter.so: cannot open shared object file' "Unknown patchField type structureDisplacement"
 }
@@ -24,6 +25,7 @@ property libraryNotNamed "without its name in controlDict the run does not go on
 libraryNotNamed()
 {
     makeCase fluid
+    useLaplacian
     removeEntry system/controlDict libs
     expectRefusal "Unknown patchField type structureDisplacement" "0/pointDisplacement"
 }
@@ -84,6 +86,7 @@ property condition "a coupled patch with another condition on pointDisplacement 
 condition()
 {
     makeCase fluid
+    useLaplacian
     entry 0/pointDisplacement boundaryField.flap.type fixedValue
     expectRefusal "pointDisplacement has 'fixedValue' on the coupled patch 'flap'" \
         "it must be 'structureDisplacement'"

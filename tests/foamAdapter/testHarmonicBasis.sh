@@ -83,7 +83,6 @@ property laplacian "harmonicBasis: a small motion is that of a converged displac
 laplacian()
 {
     makeSway product
-    basis diffusivity 'inverseDistance (flap)'
     entry system/controlDict endTime 0.001
     entry system/controlDict deltaT 0.001
     entry system/controlDict writeInterval 0.001
@@ -92,9 +91,7 @@ laplacian()
     cp -r . ../solution
     cd ../solution
     rm -rf 0.001 postProcessing
-    sed -i 's/harmonicBasis/displacementLaplacian/; s/tokayFoamAdapter/fvMotionSolvers/' constant/dynamicMeshDict
-    sed -i '/^solvers/,/^{/ s|^{|{ "cellDisplacement.*" { solver PCG; preconditioner DIC; tolerance 1e-8; relTol 0; minIter 300; }|' \
-        system/fvSolution
+    useLaplacian
     runFluid
     movedPoints constant/polyMesh/points 0.001/polyMesh/points | awk '{ print $4, $5 }' > moved
     # The motion is a thousandth of the flap's height, and the limit of the

@@ -77,6 +77,7 @@ property planeFlow "a plane flow has the same force per unit depth in a 3D mesh 
 planeFlow()
 {
     makeCase plane
+    manyCorrectors # as the 3D mesh has them
     tightenSolvers
     runFluid
     makeCase slab slab

@@ -13,6 +13,8 @@ prepare()
     entry system/controlDict deltaT 0.001
     entry system/controlDict endTime 0.003
     entry 0/U internalField 'uniform (1 0 0)'
+    # Forces of a pressure that the last correctors have converged
+    manyCorrectors
     writeDictionary system/fvSchemes dictionary << 'END'
 ddtSchemes { default Euler; }
 gradSchemes { default Gauss linear; }

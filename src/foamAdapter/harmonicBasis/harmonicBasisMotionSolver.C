@@ -152,7 +152,7 @@ Foam::string Foam::harmonicBasisMotionSolver::diffusivity() const
         {
             names[i] = fvMesh_.boundaryMesh()[patches_[i]].name();
         }
-        type << "inverseDistance " << names;
+        type << "quadratic inverseDistance " << names;
     }
     return type.str();
 }
