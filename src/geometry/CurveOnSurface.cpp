@@ -1,9 +1,8 @@
 #include "geometry/CurveOnSurface.hpp"
 
 #include "common/errors.hpp"
-#include "geometry/ClosestCandidate.hpp"
 #include "geometry/PlaneBezier.hpp"
-#include "geometry/closestParameter.hpp"
+#include "geometry/closestOfPieces.hpp"
 #include "geometry/parameterCrossings.hpp"
 #include <algorithm>
 #include <cassert>
@@ -128,22 +127,11 @@ CurveProjection CurveOnSurface::closest(const Point& point) const {
         at.curvature(0, 0) = d.row(2).dot(at.offset);
         return at;
     };
-    ClosestCandidate candidate(size_);
-    CurveProjection best{breakpoints_.front(), 0, false, false};
-    tree_->visitNearest(centred, [&](int number) {
+    return closestOfPieces(*tree_, centred, size_, [&](int number) {
         const Segment& segment = segments_[number];
-        const auto found =
-            closestParameter<1>(osculate, Parameter(segment.from), Parameter(segment.to),
-                                Parameter(0.5 * (segment.from + segment.to)), size_);
-        if (candidate.offer(found.offset)) {
-            best.xi = found.parameter[0];
-            best.converged = found.converged;
-        }
-        return candidate.squaredLimit();
+        return closestParameter<1>(osculate, Parameter(segment.from), Parameter(segment.to),
+                                   Parameter(0.5 * (segment.from + segment.to)), size_);
     });
-    best.distance = candidate.distance();
-    best.ambiguous = candidate.isAmbiguous();
-    return best;
 }
 
 } // namespace tokay::geometry

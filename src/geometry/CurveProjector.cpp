@@ -1,7 +1,6 @@
 #include "geometry/CurveProjector.hpp"
 
-#include "geometry/ClosestCandidate.hpp"
-#include "geometry/closestParameter.hpp"
+#include "geometry/closestOfPieces.hpp"
 #include "geometry/flatPieces.hpp"
 
 namespace tokay::geometry {
@@ -57,19 +56,8 @@ CurveProjector::CurveProjector(const NurbsCurve& curve) {
 
 CurveProjection CurveProjector::closest(const Point& point) const {
     const Point centred = point - centre_;
-    ClosestCandidate candidate(size_);
-    CurveProjection best{pieces_.front().knotVector().first(), 0, false, false};
-    tree_->visitNearest(centred, [&](int piece) {
-        const ClosestParameter<1> found = closestIn(pieces_[piece], centred, size_);
-        if (candidate.offer(found.offset)) {
-            best.xi = found.parameter[0];
-            best.converged = found.converged;
-        }
-        return candidate.squaredLimit();
-    });
-    best.distance = candidate.distance();
-    best.ambiguous = candidate.isAmbiguous();
-    return best;
+    return closestOfPieces(*tree_, centred, size_,
+                           [&](int piece) { return closestIn(pieces_[piece], centred, size_); });
 }
 
 } // namespace tokay::geometry
