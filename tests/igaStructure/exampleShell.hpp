@@ -55,8 +55,10 @@ Eigen::VectorXd motion(const Shell& shell, const Map& map) {
 }
 
 /// Displacement under static loads, reached in equal load steps to time 1.
-inline Eigen::VectorXd solveStatic(Shell& shell, int nSteps = 1) {
-    TimeIntegrator integrator(shell, TimeScheme::quasiStatic(), NewtonOptions{}, 0);
+inline Eigen::VectorXd solveStatic(Shell& shell, int nSteps = 1, bool lineSearch = true) {
+    NewtonOptions newton;
+    newton.lineSearch = lineSearch;
+    TimeIntegrator integrator(shell, TimeScheme::quasiStatic(), newton, 0);
     for (int step = 1; step <= nSteps; ++step) {
         integrator.beginTimeStep(static_cast<double>(step) / nSteps, 1.0 / nSteps);
         integrator.solve();

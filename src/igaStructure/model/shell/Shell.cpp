@@ -3,17 +3,39 @@
 #include "common/errors.hpp"
 #include "igaStructure/model/shell/ElementTangent.hpp"
 #include "igaStructure/model/shell/MembraneSection.hpp"
+#include "igaStructure/model/shell/NeoHookeanSection.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace tokay::structure {
 
 using Eigen::Vector3d;
 using Eigen::VectorXd;
+
+namespace {
+
+std::shared_ptr<const ShellSection> makeSection(const ShellMaterial& material, double thickness) {
+    const double E = material.youngsModulus;
+    const double nu = material.poissonsRatio;
+    switch (material.law) {
+    case MaterialLaw::stVenantKirchhoff:
+        return std::make_shared<LinearSection>(E, nu, thickness);
+    case MaterialLaw::neoHookean:
+        return std::make_shared<NeoHookeanSection>(E / (2 * (1 + nu)),
+                                                   E * nu / ((1 + nu) * (1 - 2 * nu)), thickness);
+    case MaterialLaw::incompressibleNeoHookean:
+        return std::make_shared<NeoHookeanSection>(E / 3, std::numeric_limits<double>::infinity(),
+                                                   thickness);
+    }
+    throw InputError("unknown material law");
+}
+
+} // namespace
 
 // What a thread needs beside its element.
 struct Shell::Workspace {
@@ -71,8 +93,7 @@ void Shell::buildPatches() {
                                          "at least in both directions",
                                          patch.name()));
         }
-        std::shared_ptr<const ShellSection> section = std::make_shared<LinearSection>(
-            material.youngsModulus, material.poissonsRatio, thickness);
+        std::shared_ptr<const ShellSection> section = makeSection(material, thickness);
         if (!description_.bending) {
             section =
                 std::make_shared<MembraneSection>(section, thickness * description_.prestress);
@@ -296,18 +317,37 @@ Vector3d inFrame(const SurfacePoint& point, const Vector3d& contravariantCompone
 
 } // namespace
 
-ShellState Shell::stateAt(int face, double xi, double eta, const VectorXd& displacement) const {
+ShellElement Shell::elementAt(int face, const geometry::Parameters& at) const {
     const ShellPatch& patch = *patches_[face];
-    const int number = patch.patch().elementAt({xi, eta});
+    const int number = patch.patch().elementAt(at);
     ShellElement element;
     element.moveTo(patch, number % patch.u().nSpans(), number / patch.u().nSpans());
-    element.moveToPlace({xi, eta});
+    element.moveToPlace(at);
+    return element;
+}
+
+Vector3d Shell::displacementAt(int face, const geometry::Parameters& at, double zeta,
+                               const VectorXd& displacement) const {
+    const ShellElement element = elementAt(face, at);
+    ShellElement::Coefficients u;
+    element.gather(displacement, u);
+    Vector3d value = element.functions().value(u);
+    if (zeta != 0) {
+        value += zeta * normalChange(element.reference(), element.functions().derivatives(u),
+                                     description_.strains);
+    }
+    return value;
+}
+
+ShellState Shell::stateAt(int face, double xi, double eta, const VectorXd& displacement) const {
+    const ShellElement element = elementAt(face, {xi, eta});
     ShellElement::Coefficients u;
     element.gather(displacement, u);
     const SurfacePoint& reference = element.reference();
     const SurfaceDerivatives change = element.functions().derivatives(u);
     const Vector6d resultants =
-        patch.section()
+        patches_[face]
+            ->section()
             .response(reference.forms(), shellStrain(reference, change, description_.strains))
             .resultants;
     const SurfacePoint current(isLinear() ? reference.derivatives : reference.derivatives + change);

@@ -53,6 +53,7 @@ class Shell : public StructuralModel {
     std::vector<std::string> freeRigidMotions() const override;
     double size() const override { return description_.model.size(); }
 
+    const ShellDescription& description() const { return description_; }
     const geometry::BrepModel& model() const { return description_.model; }
     const ShellNodes& nodes() const { return nodes_; }
     const ShellPatches& patches() const { return patches_; }
@@ -61,6 +62,10 @@ class Shell : public StructuralModel {
     /// Threads of assembly; if never said, as many as there are and work pays for. The
     /// result is the same for any number.
     void setThreads(int nThreads) { nThreads_ = nThreads; }
+
+    /// Of a point at a distance zeta from the middle surface, along its normal [m].
+    Eigen::Vector3d displacementAt(int face, const geometry::Parameters& at, double zeta,
+                                   const Eigen::VectorXd& displacement) const;
 
     ShellState stateAt(int face, double xi, double eta, const Eigen::VectorXd& displacement) const;
 
@@ -81,6 +86,7 @@ class Shell : public StructuralModel {
     Internal evaluate(const Eigen::VectorXd& displacement, SparseMatrix* tangent,
                       double& energy) const;
     int nThreads() const;
+    ShellElement elementAt(int face, const geometry::Parameters& at) const;
 
     ShellDescription description_;
     ShellNodes nodes_;

@@ -10,13 +10,20 @@
 
 namespace tokay::structure {
 
+enum class MaterialLaw {
+    stVenantKirchhoff,
+    neoHookean,
+    incompressibleNeoHookean ///< Poisson's ratio is not used
+};
+
 /// Material of a shell or membrane.
 struct ShellMaterial {
-    double youngsModulus = 0; ///< [Pa]
-    double poissonsRatio = 0;
+    double youngsModulus = 0;    ///< at small strains [Pa]
+    double poissonsRatio = 0;    ///< at small strains
     double density = 0;          ///< reference configuration [kg/m^3]
     double massDamping = 0;      ///< Rayleigh [1/s]
     double stiffnessDamping = 0; ///< Rayleigh [s]
+    MaterialLaw law = MaterialLaw::stVenantKirchhoff;
 };
 
 /// A vector or number given by place in the reference configuration and time.

@@ -16,8 +16,7 @@ namespace {
 constexpr std::array<int, 3> columnOf = {2, 4, 3};
 constexpr std::array<double, 3> countOf = {1, 1, 2};
 
-// Change of the unit normal without the loss of digits of a difference.
-Vector3d normalChange(const SurfacePoint& reference, const SurfaceDerivatives& u) {
+Vector3d finiteNormalChange(const SurfacePoint& reference, const SurfaceDerivatives& u) {
     const SurfaceDerivatives& A = reference.derivatives;
     const Vector3d& A3 = reference.normal.value();
     const double J0 = reference.normal.area();
@@ -48,7 +47,7 @@ Vector6d nonlinearStrain(const SurfacePoint& reference, const SurfaceDerivatives
     Vector6d strain;
     strain << A.col(0).dot(u1) + 0.5 * u1.dot(u1), A.col(1).dot(u2) + 0.5 * u2.dot(u2),
         A.col(0).dot(u2) + A.col(1).dot(u1) + u1.dot(u2), 0, 0, 0;
-    const Vector3d change = normalChange(reference, u);
+    const Vector3d change = finiteNormalChange(reference, u);
     const Vector3d normal = reference.normal.value() + change;
     for (int k = 0; k < 3; ++k) {
         const int column = columnOf[k];
@@ -113,6 +112,16 @@ Vector6d shellStrain(const SurfacePoint& reference, const SurfaceDerivatives& di
                      Strains kind) {
     return kind == Strains::linear ? linearStrain(reference, displacement)
                                    : nonlinearStrain(reference, displacement);
+}
+
+Vector3d normalChange(const SurfacePoint& reference, const SurfaceDerivatives& displacement,
+                      Strains kind) {
+    if (kind == Strains::nonlinear) {
+        return finiteNormalChange(reference, displacement);
+    }
+    Vector6d baseVectors;
+    baseVectors << displacement.col(0), displacement.col(1);
+    return reference.normal.derivative() * baseVectors;
 }
 
 SurfaceDerivatives shellForce(const SurfacePoint& current, const Vector6d& resultants) {

@@ -30,6 +30,11 @@ struct SurfacePoint {
 Vector6d shellStrain(const SurfacePoint& reference, const SurfaceDerivatives& displacement,
                      Strains kind);
 
+/// Change of the unit normal, without the loss of digits of a difference; or its
+/// linear part.
+Eigen::Vector3d normalChange(const SurfacePoint& reference, const SurfaceDerivatives& displacement,
+                             Strains kind);
+
 /// Derivative by the components of the position of the work of resultants that
 /// are constant.
 SurfaceDerivatives shellForce(const SurfacePoint& current, const Vector6d& resultants);

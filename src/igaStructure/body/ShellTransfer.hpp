@@ -1,0 +1,32 @@
+#pragma once
+
+#include "igaStructure/body/InterfaceTransfer.hpp"
+#include "igaStructure/caseFile/Coupling.hpp"
+#include "igaStructure/model/shell/Shell.hpp"
+#include "mapper/OffsetMapping.hpp"
+#include "mapper/SurfaceInterface.hpp"
+
+namespace tokay::structure {
+
+/// Transfer between a shell and fluids on one or both of its sides: points move with
+/// the section of the shell at which they lie.
+class ShellTransfer : public InterfaceTransfer {
+  public:
+    /// The shell is borrowed.
+    /// @throws InputError if a point is too far from the middle surface
+    ShellTransfer(const Shell& shell, const Coupling& coupling, const geometry::Points& points,
+                  const geometry::Points& faceCentres);
+
+    geometry::Points displacements(const Eigen::VectorXd& displacement) const override;
+    Eigen::VectorXd forces(const Eigen::VectorXd& displacement,
+                           const geometry::Points& onFaces) const override;
+    std::string report() const override;
+
+  private:
+    bool isLinear_;
+    mapper::SurfaceInterface middle_;
+    mapper::OffsetMapping toPoints_;
+    mapper::OffsetMapping toFaces_;
+};
+
+} // namespace tokay::structure
