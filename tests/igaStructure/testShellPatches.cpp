@@ -228,3 +228,31 @@ TEST(ShellPatches, patches_that_are_apart_are_told) {
             << error.what();
     }
 }
+
+TEST(ShellPatches, slivers_at_a_free_edge_change_nothing) {
+    // A cantilever whose free edge cuts off all but a fraction of the last elements.
+    for (const int degree : {2, 3, 4}) {
+        double whole = 0;
+        for (const double fraction : {1.0, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10}) {
+            const int nKept = 8;
+            const double last = (nKept + fraction) / 10;
+            geometry::ParameterBox box{{0, 0}, {last, 1}};
+            const TrimmedPatch patch(geometry::rectangle({0, 0, 0}, 10 / (nKept + fraction), 1),
+                                     {TrimmingLoop::around(box)}, "plate");
+            ShellDescription plate{geometry::BrepModel({{patch.refined(degree, degree, 10, 2)}}),
+                                   {0.01},
+                                   {1e6, 0.3, 1}};
+            plate.strains = Strains::linear;
+            plate.edgeSupports = {support(left, {true, true, true}, true)};
+            plate.loads.edgeForces = {{{0, right}, VectorField::constant({0, 0, -1e-6})}};
+            Shell shell(std::move(plate));
+            const VectorXd d = solveStatic(shell);
+            const double end = shell.stateAt(0, last, 0.5, d).displacement[2];
+            if (fraction == 1) {
+                whole = end;
+            }
+            // What nine elements and eight differ by.
+            EXPECT_NEAR(end, whole, 2e-3 * std::abs(whole)) << degree << " " << fraction;
+        }
+    }
+}

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cassert>
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 
@@ -19,7 +20,8 @@ struct SparseCholesky::Implementation {
     cholmod_dense* workspaceY = nullptr;
     cholmod_dense* workspaceE = nullptr;
     std::vector<int> freeUnknowns;
-    std::vector<int> slots; ///< in the full matrix, of each entry of `matrix`
+    std::vector<int> slots;     ///< in the full matrix, of each entry of `matrix`
+    std::vector<double> scales; ///< of each free unknown
     bool factorised = false;
 
     Implementation() {
@@ -64,6 +66,26 @@ struct SparseCholesky::Implementation {
         return {unknown, fmt::format("the matrix is not positive definite (pivot {} of {}, "
                                      "unknown {})",
                                      column + 1, nFree(), unknown)};
+    }
+
+    // Unknowns scaled so that diagonal entries are one: functions of which trimming
+    // has left a sliver are as good as others then.
+    void setScaledValues(const SparseMatrix& full) {
+        const auto* starts = static_cast<const int*>(matrix->p);
+        const auto* rows = static_cast<const int*>(matrix->i);
+        auto* values = static_cast<double*>(matrix->x);
+        scales.assign(nFree(), 1);
+        for (int k = 0; k < nFree(); ++k) {
+            const double diagonal = full.valuePtr()[slots[starts[k]]];
+            if (diagonal > 0) {
+                scales[k] = 1 / std::sqrt(diagonal);
+            }
+        }
+        for (int column = 0; column < nFree(); ++column) {
+            for (int k = starts[column]; k < starts[column + 1]; ++k) {
+                values[k] = scales[column] * full.valuePtr()[slots[k]] * scales[rows[k]];
+            }
+        }
     }
 
     void selectLowerTriangle(const SparseMatrix& full, const std::vector<bool>& fixed) {
@@ -115,10 +137,7 @@ SparseCholesky::~SparseCholesky() = default;
 void SparseCholesky::factorise(const SparseMatrix& full) {
     Implementation& own = *implementation_;
     own.factorised = false;
-    auto* values = static_cast<double*>(own.matrix->x);
-    for (std::size_t k = 0; k < own.slots.size(); ++k) {
-        values[k] = full.valuePtr()[own.slots[k]];
-    }
+    own.setScaledValues(full);
     cholmod_factorize(own.matrix, own.factor, &own.common);
     own.requireOk("factorisation");
     // A singular matrix whose last pivot is rounding error passes as positive.
@@ -134,7 +153,7 @@ Eigen::VectorXd SparseCholesky::solve(const Eigen::VectorXd& rightHandSide) {
     assert(own.factorised);
     auto* b = static_cast<double*>(own.rightHandSide->x);
     for (int k = 0; k < own.nFree(); ++k) {
-        b[k] = rightHandSide[own.freeUnknowns[k]];
+        b[k] = own.scales[k] * rightHandSide[own.freeUnknowns[k]];
     }
     cholmod_solve2(CHOLMOD_A, own.factor, own.rightHandSide, nullptr, &own.solution, nullptr,
                    &own.workspaceY, &own.workspaceE, &own.common);
@@ -142,7 +161,7 @@ Eigen::VectorXd SparseCholesky::solve(const Eigen::VectorXd& rightHandSide) {
     Eigen::VectorXd solution = Eigen::VectorXd::Zero(rightHandSide.size());
     const auto* x = static_cast<const double*>(own.solution->x);
     for (int k = 0; k < own.nFree(); ++k) {
-        solution[own.freeUnknowns[k]] = x[k];
+        solution[own.freeUnknowns[k]] = own.scales[k] * x[k];
     }
     return solution;
 }

@@ -23,7 +23,8 @@ class NotPositiveDefinite : public SolverError {
 
 /// Cholesky factorisation (CHOLMOD, supernodal) of a symmetric matrix without
 /// the rows and columns of fixed unknowns. Analysed once for its sparsity,
-/// factored for new values as often as needed, kept for many solutions.
+/// factored for new values as often as needed, kept for many solutions. Unknowns
+/// are scaled by the diagonal, so their units and sizes do not matter.
 class SparseCholesky {
   public:
     /// @param pattern  both triangles, sorted columns; values are not used
