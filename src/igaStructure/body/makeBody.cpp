@@ -3,6 +3,7 @@
 #include "common/errors.hpp"
 #include "igaStructure/body/LineBody.hpp"
 #include "igaStructure/body/PlaneBody.hpp"
+#include "igaStructure/body/ShellBody.hpp"
 
 namespace tokay::structure {
 
@@ -17,6 +18,10 @@ std::unique_ptr<Body> make(const PlaneSolidCase& solid) {
 std::unique_ptr<Body> make(const LineCase& line) {
     return std::make_unique<LineBody>(
         PlaneLine(line.curve, line.section, line.strains, line.supports, line.loads));
+}
+
+std::unique_ptr<Body> make(const ShellDescription& shell) {
+    return std::make_unique<ShellBody>(shell);
 }
 
 } // namespace

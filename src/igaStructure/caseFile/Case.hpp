@@ -4,6 +4,7 @@
 #include "igaStructure/caseFile/LineCase.hpp"
 #include "igaStructure/caseFile/OutputOptions.hpp"
 #include "igaStructure/caseFile/PlaneSolidCase.hpp"
+#include "igaStructure/model/shell/ShellDescription.hpp"
 #include "igaStructure/timeIntegration/NewtonOptions.hpp"
 #include "igaStructure/timeIntegration/TimeScheme.hpp"
 
@@ -24,7 +25,7 @@ struct TimeSteps {
 };
 
 /// Geometry, model, material, supports and loads of one of the kinematics.
-using StructureCase = std::variant<PlaneSolidCase, LineCase>;
+using StructureCase = std::variant<PlaneSolidCase, LineCase, ShellDescription>;
 
 /// All that a case file says, checked and with its defaults.
 struct Case {

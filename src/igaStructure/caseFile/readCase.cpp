@@ -5,6 +5,7 @@
 #include "igaStructure/caseFile/readCoupling.hpp"
 #include "igaStructure/caseFile/readLine.hpp"
 #include "igaStructure/caseFile/readPlaneSolid.hpp"
+#include "igaStructure/caseFile/readShell.hpp"
 #include "igaStructure/caseFile/requireUsed.hpp"
 
 #include <fmt/format.h>
@@ -16,8 +17,17 @@ namespace tokay::structure {
 
 namespace {
 
-StructureCase readStructure(const CaseSection& file) {
+StructureCase readStructure(const CaseSection& file, const std::string& directory) {
     const std::string kinematics = file.section("model").text("kinematics");
+    if (kinematics == "shell" || kinematics == "membrane") {
+        return readShell(file, directory);
+    }
+    const CaseSection material = file.section("material");
+    if (material.text("type") != "StVenantKirchhoff") {
+        throw material.error("type", fmt::format("'{}' is a material of shells and membranes, not "
+                                                 "of {}",
+                                                 material.text("type"), kinematics));
+    }
     if (kinematics == "beam" || kinematics == "cable") {
         return readLine(file);
     }
@@ -119,7 +129,7 @@ Case readCase(const CaseSection& file, const std::string& fileName) {
     return {file.has("name") ? file.text("name") : path.stem().string(),
             fileName,
             directory,
-            readStructure(file),
+            readStructure(file, directory),
             readTimeScheme(time),
             readTimeSteps(time),
             readNewton(file.section("newton")),

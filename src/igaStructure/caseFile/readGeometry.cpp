@@ -110,12 +110,15 @@ geometry::NurbsCurve readCurve(const CaseSection& file) {
                    file.section("discretisation"));
 }
 
+geometry::NurbsSurface readUnrefinedSurface(const CaseSection& section) {
+    return section.has("nurbs") ? readNurbsSurface(section.section("nurbs"))
+                                : readRectangle(section.section("rectangle"));
+}
+
 geometry::NurbsSurface readSurface(const CaseSection& file) {
     const CaseSection section = file.section("geometry");
-    const std::string shape = section.exactlyOne({"rectangle", "nurbs"});
-    return refined(shape == "nurbs" ? readNurbsSurface(section.section("nurbs"))
-                                    : readRectangle(section.section("rectangle")),
-                   file.section("discretisation"));
+    section.exactlyOne({"rectangle", "nurbs"});
+    return refined(readUnrefinedSurface(section), file.section("discretisation"));
 }
 
 } // namespace tokay::structure

@@ -13,4 +13,7 @@ geometry::NurbsSurface readSurface(const CaseSection& file);
 /// The curve of `geometry` in the basis of `discretisation`; as readSurface.
 geometry::NurbsCurve readCurve(const CaseSection& file);
 
+/// The rectangle or NURBS patch that `geometry` names, as it is.
+geometry::NurbsSurface readUnrefinedSurface(const CaseSection& geometry);
+
 } // namespace tokay::structure

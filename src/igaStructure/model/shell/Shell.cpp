@@ -106,16 +106,16 @@ void Shell::buildPatches() {
 
 void Shell::buildPattern() {
     std::vector<std::vector<int>> neighbours(nodes_.count());
+    // Repetitions are removed each time that a list is full.
     const auto connect = [&](const std::vector<int>& nodes) {
         for (int node : nodes) {
-            neighbours[node].insert(neighbours[node].end(), nodes.begin(), nodes.end());
-        }
-    };
-    const auto compact = [&](const std::vector<int>& nodes) {
-        for (int node : nodes) {
             std::vector<int>& own = neighbours[node];
-            std::sort(own.begin(), own.end());
-            own.erase(std::unique(own.begin(), own.end()), own.end());
+            if (own.size() + nodes.size() > own.capacity()) {
+                std::sort(own.begin(), own.end());
+                own.erase(std::unique(own.begin(), own.end()), own.end());
+                own.reserve(2 * (own.size() + nodes.size()));
+            }
+            own.insert(own.end(), nodes.begin(), nodes.end());
         }
     };
     ShellElement element;
@@ -124,13 +124,11 @@ void Shell::buildPattern() {
             element.moveTo(*patch, number % patch->u().nSpans(), number / patch->u().nSpans());
             if (element.nPoints() > 0) {
                 connect(element.nodes());
-                compact(element.nodes());
             }
         }
     }
     for (const auto& spring : constraints_.springs) {
         connect(spring->nodes());
-        compact(spring->nodes());
     }
     pattern_ = std::make_unique<NodePattern>(3, std::move(neighbours));
 }

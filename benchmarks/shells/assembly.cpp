@@ -1,0 +1,96 @@
+// Seconds of a shell's tangent per Gauss point, by degree, strains and threads, beside
+// the rate of a dense product.
+#include "geometry/primitives.hpp"
+#include "igaStructure/model/shell/Shell.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <limits>
+
+extern "C" void dgemm_(const char*, const char*, const int*, const int*, const int*, const double*,
+                       const double*, const int*, const double*, const int*, const double*, double*,
+                       const int*);
+
+namespace {
+
+using namespace tokay;
+using namespace tokay::structure;
+using Clock = std::chrono::steady_clock;
+
+template <class Work>
+double bestSeconds(int nTimes, Work work) {
+    double best = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < nTimes; ++k) {
+        const auto start = Clock::now();
+        work();
+        best = std::min(best, std::chrono::duration<double>(Clock::now() - start).count());
+    }
+    return best;
+}
+
+/// Of the linked BLAS [GFlop/s].
+double productRate() {
+    const int n = 1000;
+    const Eigen::MatrixXd a = Eigen::MatrixXd::Random(n, n);
+    Eigen::MatrixXd c = Eigen::MatrixXd::Zero(n, n);
+    const double one = 1;
+    const double seconds = bestSeconds(5, [&] {
+        dgemm_("N", "N", &n, &n, &n, &one, a.data(), &n, a.data(), &n, &one, c.data(), &n);
+    });
+    return 2.0 * n * n * n / seconds * 1e-9;
+}
+
+Shell cylinder(int degree, int nElements, Strains strains) {
+    const geometry::TrimmedPatch patch(geometry::cylinderPatch({0, 0, 0}, 25, 50, 0.8, 2.2));
+    ShellDescription description{
+        geometry::BrepModel({{patch.refined(degree, degree, nElements, nElements)}}),
+        {0.25},
+        {4e8, 0.3, 1}};
+    description.strains = strains;
+    return Shell(std::move(description));
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    std::ofstream file(argv[1]);
+    const auto write = [&](const std::string& line) {
+        fmt::print("{}", line);
+        file << line;
+    };
+    write("strains,degree,threads,gauss_points,tangent_us_per_point,force_us_per_point,"
+          "product_GFlops,share_of_rate_percent,limit_us,verdict\n");
+    const bool isQuick = argc > 2;
+    const double rate = productRate();
+    bool allHold = true;
+    for (const Strains strains : {Strains::linear, Strains::nonlinear}) {
+        for (const int degree : {2, 3, 4}) {
+            const int n = (isQuick ? 96 : 192) / degree;
+            Shell shell = cylinder(degree, n, strains);
+            const Eigen::VectorXd d = 1e-3 * Eigen::VectorXd::Random(shell.nUnknowns());
+            const double nPoints = static_cast<double>(n) * n * (degree + 1) * (degree + 1);
+            for (int threads = 1; threads <= availableThreads(); ++threads) {
+                shell.setThreads(threads);
+                SparseMatrix tangent;
+                const double withTangent = bestSeconds(6, [&] { shell.internalForce(d, tangent); });
+                const double alone = bestSeconds(3, [&] { shell.internalForce(d); });
+                // Products of 5 rows a point, six of the nine blocks of components.
+                const int nFunctions = (degree + 1) * (degree + 1);
+                const double operations = 2.0 * 6 * 5 * nFunctions * nFunctions * nPoints;
+                const double limit = degree == 2 ? 2.5 : degree == 3 ? 5 : 10;
+                const double microseconds = 1e6 * withTangent / nPoints;
+                const bool holds = threads > 1 || microseconds <= limit;
+                allHold = allHold && holds;
+                write(fmt::format("{},{},{},{:.0f},{:.3f},{:.3f},{:.1f},{:.1f},{:g},{}\n",
+                                  strains == Strains::linear ? "linear" : "nonlinear", degree,
+                                  threads, nPoints, microseconds, 1e6 * alone / nPoints, rate,
+                                  100 * operations / withTangent * 1e-9 / rate, limit,
+                                  holds ? "ok" : "FAILS"));
+            }
+        }
+    }
+    return allHold ? 0 : 1;
+}

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "igaStructure/model/shell/Shell.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace tokay::structure {
+
+/// A published shell with what is looked at.
+struct Scene {
+    std::string name;
+    ShellDescription description;
+    /// The quantity that is compared, from the displacement.
+    std::function<double(const Shell&, const Eigen::VectorXd&)> quantity;
+    double reference;
+    double limit; ///< relative, within which it shall be
+};
+
+/// Linear shells: reference/shellsLinear.csv.
+/// @param isQuick  coarser meshes
+std::vector<Scene> linearScenes(bool isQuick);
+
+/// Cantilever with a dead shear force or an end moment that grows with time from 0
+/// to 1, E 1.2e6, thickness 0.1, width 1.
+ShellDescription shearedCantilever();
+ShellDescription rolledCantilever();
+
+/// Octant of a sphere of radius 10 and thickness 0.1, neo-Hookean with mu 4.225e5,
+/// under a pressure.
+ShellDescription balloon(const ScalarField& pressure);
+/// Pressure at a stretch, by the formula.
+double balloonPressure(double stretch);
+
+/// The tip of a patch's displacement at parameters.
+Eigen::Vector3d displacementAt(const Shell& shell, double xi, double eta,
+                               const Eigen::VectorXd& displacement);
+
+} // namespace tokay::structure

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "geometry/BrepModel.hpp"
+
+#include <string>
+
+namespace tokay::structure {
+
+class CaseSection;
+
+/// The surfaces of a shell: a primitive, a NURBS patch or a cad.json file, in the
+/// basis of the displacement.
+/// @param directory  of the case file, to which a cad.json file is relative
+geometry::BrepModel readBrepModel(const CaseSection& file, const std::string& directory);
+
+} // namespace tokay::structure
