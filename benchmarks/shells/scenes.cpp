@@ -158,7 +158,7 @@ std::vector<Scene> linearScenes(bool isQuick) {
     scenes.push_back(hemisphere(12 * n));
     scenes.push_back(hypar(1e-2, 9.3355e-5, 16 * n));
     scenes.push_back(hypar(1e-3, 6.3941e-3, 24 * n));
-    scenes.push_back(hypar(1e-4, 5.2988e-1, 32 * n));
+    scenes.push_back(hypar(1e-4, 5.2988e-1, 16 * n + 32));
     return scenes;
 }
 

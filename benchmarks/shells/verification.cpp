@@ -11,6 +11,7 @@
 
 namespace {
 
+using namespace tokay;
 using namespace tokay::structure;
 using Clock = std::chrono::steady_clock;
 

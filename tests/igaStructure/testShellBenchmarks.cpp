@@ -69,6 +69,41 @@ TEST(ShellBenchmarks, pinched_closed_hemisphere) {
     EXPECT_NEAR(-displacementAt(shell, u.last(), v.first(), d)[1], 0.0924, published * 0.0924);
 }
 
+TEST(ShellBenchmarks,
+     cantilever_bends_as_a_beam_from_a_tenth_to_a_hundred_thousandth_of_its_length) {
+    for (const Strains strains : {Strains::linear, Strains::nonlinear}) {
+        for (const double thickness : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5}) {
+            // Cubic functions hold the exact deflection; Poisson's ratio 0.
+            const double wanted = 1e-3 * thickness;
+            const double force = 3 * 1e6 * std::pow(thickness, 3) / 12 * wanted;
+            ShellDescription plate =
+                onePatch(geometry::rectangle({0, 0, 0}, 1, 1), 3, 6, 2, thickness, {1e6, 0, 1});
+            plate.strains = strains;
+            plate.edgeSupports = {support(left, {true, true, true}, true)};
+            plate.loads.edgeForces = {{{0, right}, VectorField::constant({0, 0, force})}};
+            Shell shell(std::move(plate));
+            const double tip = displacementAt(shell, 1, 0.5, solveStatic(shell))[2];
+            EXPECT_NEAR(tip, wanted, 1e-6 * wanted) << thickness;
+        }
+    }
+}
+
+TEST(ShellBenchmarks, nearly_incompressible_plate_is_as_stiff_as_its_modulus_says) {
+    // Bent to a cylinder: E t^3 / 12 / (1 - nu^2) with nu 0.4999.
+    ShellDescription plate =
+        onePatch(geometry::rectangle({0, 0, 0}, 1, 1), 3, 6, 2, 0.01, {1e6, 0.4999, 1});
+    plate.strains = Strains::linear;
+    plate.edgeSupports = {support(left, {true, true, true}, true),
+                          support(bottom, {false, true, false}, true),
+                          support(top, {false, true, false}, true)};
+    plate.penalty = 1e7;
+    plate.loads.edgeForces = {{{0, right}, VectorField::constant({0, 0, 1e-3})}};
+    Shell shell(std::move(plate));
+    const double D = 1e6 * 1e-6 / 12 / (1 - 0.4999 * 0.4999);
+    const double expected = 1e-3 / (3 * D);
+    EXPECT_NEAR(displacementAt(shell, 1, 0.5, solveStatic(shell))[2], expected, 1e-5 * expected);
+}
+
 TEST(ShellBenchmarks, cantilever_with_end_shear) {
     // Sze, Liu & Lo 2004: tip, -ux and uz, in steps of 0.05 of the largest load.
     const double expected[20][2] = {{0.026, 0.663}, {0.103, 1.309}, {0.224, 1.922}, {0.381, 2.493},

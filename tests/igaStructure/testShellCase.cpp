@@ -128,6 +128,12 @@ TEST(ShellCase, mistakes_are_told_with_their_place) {
                 HasSubstr("a material of shells and membranes"));
 }
 
+TEST(ShellCase, shell_takes_whole_updates_if_the_case_does_not_say) {
+    EXPECT_FALSE(readText(roofText()).newton.lineSearch);
+    EXPECT_TRUE(readText(exampleText()).newton.lineSearch);
+    EXPECT_TRUE(readText(roofText("time:", "newton: {lineSearch: yes}\ntime:")).newton.lineSearch);
+}
+
 TEST(ShellCase, membrane_under_prestress_carries_pressure) {
     // A square membrane: the linear response to pressure is that of Poisson's equation,
     // 0.073671 p a^2 / (sigma t) in the middle (Timoshenko & Woinowsky-Krieger).

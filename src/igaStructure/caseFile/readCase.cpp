@@ -88,9 +88,11 @@ std::optional<TimeSteps> readTimeSteps(const CaseSection& section) {
     return steps;
 }
 
-NewtonOptions readNewton(const CaseSection& section) {
+NewtonOptions readNewton(const CaseSection& file) {
+    const CaseSection section = file.section("newton");
+    const bool isShell = file.section("model").text("kinematics") == "shell";
     return {section.number("tolerance"), section.integer("maximumIterations"),
-            section.yesNo("lineSearch")};
+            section.has("lineSearch") ? section.yesNo("lineSearch") : !isShell};
 }
 
 OutputOptions readOutput(const CaseSection& section, const std::string& directory) {
@@ -132,7 +134,7 @@ Case readCase(const CaseSection& file, const std::string& fileName) {
             readStructure(file, directory),
             readTimeScheme(time),
             readTimeSteps(time),
-            readNewton(file.section("newton")),
+            readNewton(file),
             readOutput(file.section("output"), directory),
             isCoupled ? std::optional(readCoupling(file)) : std::nullopt};
 }

@@ -13,6 +13,9 @@ using Eigen::VectorXd;
 
 namespace {
 
+// Displacements below this share of the structure's size count as none.
+constexpr double leastDisplacement = 1e-15;
+
 // Sum of matrices of one sparsity: target = a A + b B.
 void combine(double a, const SparseMatrix& A, double b, const SparseMatrix& B,
              SparseMatrix& target) {
@@ -46,8 +49,8 @@ TimeIntegrator::TimeIntegrator(StructuralModel& model, const TimeScheme& scheme,
     state_.force = model.externalForce(startTime);
     followerForce_ = followerForce(state_.displacement, startTime);
     model_.internalForce(state_.displacement, stiffness_);
-    internalRounding_ = std::numeric_limits<double>::epsilon() *
-                        VectorXd(stiffness_.diagonal()).norm() * model.size();
+    internalRounding_ =
+        std::numeric_limits<double>::epsilon() * VectorXd(stiffness_.diagonal()).norm();
     inertiaRounding_ = std::numeric_limits<double>::epsilon() * VectorXd(mass_.diagonal()).norm();
     if (scheme.dynamic) {
         setInitialAcceleration();
@@ -151,7 +154,8 @@ TimeIntegrator::Balance TimeIntegrator::balance(const VectorXd& displacement) co
         internal = model_.internalForce(middle);
     }
     Balance balance;
-    balance.rounding = internalRounding_;
+    balance.rounding = internalRounding_ * std::max(middle.lpNorm<Eigen::Infinity>(),
+                                                    leastDisplacement * model_.size());
     balance.smallestVolumeRatio = internal.smallestVolumeRatio;
     const VectorXd external = atAlphaF(state_.force, force_) + followerForce(middle, middleTime());
     balance.residual = external - internal.force;

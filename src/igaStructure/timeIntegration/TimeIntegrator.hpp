@@ -92,7 +92,7 @@ class TimeIntegrator {
     SparseMatrix stiffness_; ///< at rest: linear structures, stiffness damping
     SparseMatrix tangent_;   ///< of the internal force, then of the whole balance
     SparseCholesky solver_;
-    double internalRounding_; ///< rounding error of internal forces [N]
+    double internalRounding_; ///< rounding error of internal forces, per displacement [N/m]
     double inertiaRounding_;  ///< the same of inertia, per acceleration [N s^2/m]
 
     MotionState state_;
