@@ -40,7 +40,7 @@ const std::vector<CaseEntry>& modelEntries() {
     {"material", Kind::map, required, "", "", "", 0,
      "The material."},
     {"material.type", Kind::word, required, "", "", "StVenantKirchhoff neoHookean incompressibleNeoHookean", 0,
-     "StVenantKirchhoff: linear relation of second Piola-Kirchhoff stress and Green-Lagrange strain (Hooke's law if strains are linear). Of shells and membranes also neoHookean and incompressibleNeoHookean, for which Poisson's ratio is not looked at."},
+     "StVenantKirchhoff: linear relation of second Piola-Kirchhoff stress and Green-Lagrange strain (Hooke's law if strains are linear). Of shells and membranes also neoHookean, and incompressibleNeoHookean (Poisson's ratio is not looked at)."},
     {"material.youngsModulus", Kind::number, required, "", "Pa", "(0, inf)", 0,
      "Young's modulus."},
     {"material.poissonsRatio", Kind::number, required, "", "", "(-1, 0.5)", 0,
