@@ -170,6 +170,26 @@ Body::Closest ShellBody::closest(const geometry::Point& point) const {
     return {place, (positions({place}).col(0) - point).norm()};
 }
 
+double ShellBody::massPerWetArea() const {
+    const std::vector<double>& thickness = shell_.description().thickness;
+    return shell_.description().material.density *
+           *std::min_element(thickness.begin(), thickness.end());
+}
+
+std::vector<std::string> ShellBody::advice() const {
+    const std::vector<double>& thickness = shell_.description().thickness;
+    const double slenderness =
+        shell_.size() / *std::max_element(thickness.begin(), thickness.end());
+    if (!shell_.description().bending) {
+        return {};
+    }
+    constexpr double least = 10; // shear adds about a percent to a plate's deflection
+    return {fmt::format("slenderness (size over thickness) {:.3g}{}", slenderness,
+                        slenderness < least ? ": shear deformation, which a Kirchhoff-Love shell "
+                                              "leaves out, is not small"
+                                            : ": in the range of a Kirchhoff-Love shell")};
+}
+
 std::unique_ptr<InterfaceTransfer> ShellBody::transfer(const Coupling& coupling,
                                                        const geometry::Points& points,
                                                        const geometry::Points& faceCentres) const {

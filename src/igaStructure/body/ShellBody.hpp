@@ -28,6 +28,8 @@ class ShellBody : public Body {
     Eigen::MatrixXd field(const std::string& name, const MotionState& state,
                           const std::vector<Place>& places) const override;
     Closest closest(const geometry::Point& point) const override;
+    double massPerWetArea() const override;
+    std::vector<std::string> advice() const override;
     std::unique_ptr<InterfaceTransfer> transfer(const Coupling& coupling,
                                                 const geometry::Points& points,
                                                 const geometry::Points& faceCentres) const override;

@@ -154,6 +154,11 @@ SparseMatrix Shell::massMatrix() const {
     return mass;
 }
 
+SparseMatrix Shell::lumpedMassMatrix() const {
+    const VectorXd rowSums = massMatrix() * VectorXd::Ones(nUnknowns());
+    return SparseMatrix(rowSums.asDiagonal());
+}
+
 // Stress resultants, forces and stiffness of a point.
 struct Shell::PointAnswer {
     SurfaceDerivatives force;

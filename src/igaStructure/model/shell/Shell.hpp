@@ -37,6 +37,7 @@ class Shell : public StructuralModel {
     int nComponents() const override { return 3; }
     bool isLinear() const override { return description_.strains == Strains::linear; }
     SparseMatrix massMatrix() const override;
+    SparseMatrix lumpedMassMatrix() const override;
     double massDamping() const override { return description_.material.massDamping; }
     double stiffnessDamping() const override { return description_.material.stiffnessDamping; }
     Internal internalForce(const Eigen::VectorXd& displacement) const override;
