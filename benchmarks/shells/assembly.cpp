@@ -1,5 +1,6 @@
 // Seconds of a shell's tangent per Gauss point, by degree, strains and threads, beside
-// the rate of a dense product.
+// the rate of a dense product; on the wall, and of the processors, which others
+// that use them disturb less. The limit is for one thread.
 #include "geometry/primitives.hpp"
 #include "igaStructure/model/shell/Shell.hpp"
 
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <fstream>
 #include <limits>
 
@@ -20,13 +22,23 @@ using namespace tokay;
 using namespace tokay::structure;
 using Clock = std::chrono::steady_clock;
 
+/// Best of a few times: on the wall, and of the processors.
+struct Seconds {
+    double wall = std::numeric_limits<double>::infinity();
+    double processor = std::numeric_limits<double>::infinity();
+};
+
 template <class Work>
-double bestSeconds(int nTimes, Work work) {
-    double best = std::numeric_limits<double>::infinity();
+Seconds bestSeconds(int nTimes, Work work) {
+    Seconds best;
     for (int k = 0; k < nTimes; ++k) {
         const auto start = Clock::now();
+        const std::clock_t processorStart = std::clock();
         work();
-        best = std::min(best, std::chrono::duration<double>(Clock::now() - start).count());
+        best.wall =
+            std::min(best.wall, std::chrono::duration<double>(Clock::now() - start).count());
+        best.processor = std::min(
+            best.processor, static_cast<double>(std::clock() - processorStart) / CLOCKS_PER_SEC);
     }
     return best;
 }
@@ -37,10 +49,10 @@ double productRate() {
     const Eigen::MatrixXd a = Eigen::MatrixXd::Random(n, n);
     Eigen::MatrixXd c = Eigen::MatrixXd::Zero(n, n);
     const double one = 1;
-    const double seconds = bestSeconds(5, [&] {
+    const Seconds seconds = bestSeconds(5, [&] {
         dgemm_("N", "N", &n, &n, &n, &one, a.data(), &n, a.data(), &n, &one, c.data(), &n);
     });
-    return 2.0 * n * n * n / seconds * 1e-9;
+    return 2.0 * n * n * n / seconds.processor * 1e-9;
 }
 
 Shell cylinder(int degree, int nElements, Strains strains) {
@@ -61,7 +73,8 @@ int main(int argc, char** argv) {
         fmt::print("{}", line);
         file << line;
     };
-    write("strains,degree,threads,gauss_points,tangent_us_per_point,force_us_per_point,"
+    write("strains,degree,threads,gauss_points,tangent_us_per_point,tangent_processor_us,"
+          "force_processor_us,"
           "product_GFlops,share_of_rate_percent,limit_us,verdict\n");
     const bool isQuick = argc > 2;
     const double rate = productRate();
@@ -75,19 +88,21 @@ int main(int argc, char** argv) {
             for (int threads = 1; threads <= availableThreads(); ++threads) {
                 shell.setThreads(threads);
                 SparseMatrix tangent;
-                const double withTangent = bestSeconds(6, [&] { shell.internalForce(d, tangent); });
-                const double alone = bestSeconds(3, [&] { shell.internalForce(d); });
+                const Seconds withTangent =
+                    bestSeconds(6, [&] { shell.internalForce(d, tangent); });
+                const Seconds alone = bestSeconds(3, [&] { shell.internalForce(d); });
                 // Products of 5 rows a point, six of the nine blocks of components.
                 const int nFunctions = (degree + 1) * (degree + 1);
                 const double operations = 2.0 * 6 * 5 * nFunctions * nFunctions * nPoints;
                 const double limit = degree == 2 ? 2.5 : degree == 3 ? 5 : 10;
-                const double microseconds = 1e6 * withTangent / nPoints;
+                const double microseconds = 1e6 * withTangent.processor / nPoints;
                 const bool holds = threads > 1 || microseconds <= limit;
                 allHold = allHold && holds;
-                write(fmt::format("{},{},{},{:.0f},{:.3f},{:.3f},{:.1f},{:.1f},{:g},{}\n",
+                write(fmt::format("{},{},{},{:.0f},{:.3f},{:.3f},{:.3f},{:.1f},{:.1f},{:g},{}\n",
                                   strains == Strains::linear ? "linear" : "nonlinear", degree,
-                                  threads, nPoints, microseconds, 1e6 * alone / nPoints, rate,
-                                  100 * operations / withTangent * 1e-9 / rate, limit,
+                                  threads, nPoints, 1e6 * withTangent.wall / nPoints, microseconds,
+                                  1e6 * alone.processor / nPoints, rate,
+                                  100 * operations / withTangent.processor * 1e-9 / rate, limit,
                                   holds ? "ok" : "FAILS"));
             }
         }
