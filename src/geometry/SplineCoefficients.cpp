@@ -64,6 +64,27 @@ KnotVector withKnots(const KnotVector& knots, const std::vector<double>& added) 
     return KnotVector(knots.degree(), std::move(merged));
 }
 
+KnotVector withoutKnots(const KnotVector& knots, const std::vector<double>& removed) {
+    std::vector<double> left;
+    auto next = removed.begin();
+    for (const double knot : knots.knots()) {
+        if (next != removed.end() && *next == knot && knot > knots.first() && knot < knots.last())
+            ++next;
+        else
+            left.push_back(knot);
+    }
+    if (next != removed.end())
+        throw InputError(fmt::format("The knot {} cannot be removed: it is not inside ({}, {}), "
+                                     "not there so often, or the knots to remove do not ascend.",
+                                     *next, knots.first(), knots.last()));
+    return KnotVector(knots.degree(), std::move(left));
+}
+
+/// Largest distance of two rows.
+double extent(const Eigen::MatrixXd& rows) {
+    return (rows.colwise().maxCoeff() - rows.colwise().minCoeff()).norm();
+}
+
 KnotVector elevated(const KnotVector& knots) {
     std::vector<double> fine;
     for (const double knot : knots.breakpoints())
@@ -80,6 +101,24 @@ SplineCoefficients insertKnots(const SplineCoefficients& spline, const std::vect
         fine.rows.row(i) =
             blossom(spline, centralSpan(spline.knots, fine.knots, i), innerKnots(fine.knots, i));
     return fine;
+}
+
+SplineCoefficients removeKnots(const SplineCoefficients& spline, const std::vector<double>& knots,
+                               double tolerance) {
+    SplineCoefficients coarse{withoutKnots(spline.knots, knots), {}};
+    coarse.rows.resize(coarse.knots.nBasis(), spline.rows.cols());
+    // A spline of the coarser space is one polynomial over what was two spans: any
+    // span inside a coarse function's support tells its coefficient.
+    for (int i = 0; i < coarse.knots.nBasis(); ++i)
+        coarse.rows.row(i) = blossom(spline, centralSpan(spline.knots, coarse.knots, i),
+                                     innerKnots(coarse.knots, i));
+    const double off = (insertKnots(coarse, knots).rows - spline.rows).rowwise().norm().maxCoeff();
+    if (off > tolerance * extent(spline.rows))
+        throw InputError(fmt::format("The knots cannot be removed: the spline is not smooth enough "
+                                     "there, its coefficients would be off by {:.2g} of their "
+                                     "extent (tolerance {:g}).",
+                                     off / extent(spline.rows), tolerance));
+    return coarse;
 }
 
 SplineCoefficients elevateDegree(const SplineCoefficients& spline) {

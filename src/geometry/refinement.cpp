@@ -54,6 +54,10 @@ Refinement insertion(const std::vector<double>& knots) {
     return [knots](const SplineCoefficients& spline) { return insertKnots(spline, knots); };
 }
 
+Refinement removal(const std::vector<double>& knots, double tolerance) {
+    return [=](const SplineCoefficients& spline) { return removeKnots(spline, knots, tolerance); };
+}
+
 Refinement elevation(int by) {
     if (by < 0)
         throw InputError(fmt::format("The degree cannot be raised by {}.", by));
@@ -93,6 +97,11 @@ NurbsCurve insertKnots(const NurbsCurve& curve, const std::vector<double>& knots
     return refined(curve, insertion(knots));
 }
 
+NurbsCurve removeKnots(const NurbsCurve& curve, const std::vector<double>& knots,
+                       double tolerance) {
+    return refined(curve, removal(knots, tolerance));
+}
+
 NurbsCurve elevateDegree(const NurbsCurve& curve, int by) {
     return refined(curve, elevation(by));
 }
@@ -104,6 +113,11 @@ NurbsCurve refine(const NurbsCurve& curve, int degree, int nDivisions) {
 NurbsSurface insertKnots(const NurbsSurface& surface, const std::vector<double>& knotsU,
                          const std::vector<double>& knotsV) {
     return refined(surface, insertion(knotsU), insertion(knotsV));
+}
+
+NurbsSurface removeKnots(const NurbsSurface& surface, const std::vector<double>& knotsU,
+                         const std::vector<double>& knotsV, double tolerance) {
+    return refined(surface, removal(knotsU, tolerance), removal(knotsV, tolerance));
 }
 
 NurbsSurface elevateDegree(const NurbsSurface& surface, int byU, int byV) {

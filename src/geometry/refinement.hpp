@@ -10,6 +10,14 @@ namespace tokay::geometry {
 /// @throws InputError if a knot lies outside the range or gets too multiple.
 NurbsCurve insertKnots(const NurbsCurve& curve, const std::vector<double>& knots);
 
+/// The inverse of insertKnots, where the curve is smooth enough for it.
+/// @param knots      parameters, ascending, each as often as it shall go
+/// @param tolerance  by how far the control points of the curve may be off when the
+///                   knots are inserted again, relative to their extent
+/// @throws InputError if a knot is not there so often, or the curve would change.
+NurbsCurve removeKnots(const NurbsCurve& curve, const std::vector<double>& knots,
+                       double tolerance = 1e-10);
+
 /// Raises the degree; every knot's multiplicity grows with it, so the
 /// continuity stays.
 /// @throws InputError if by is negative.
@@ -22,6 +30,9 @@ NurbsCurve refine(const NurbsCurve& curve, int degree, int nDivisions);
 
 NurbsSurface insertKnots(const NurbsSurface& surface, const std::vector<double>& knotsU,
                          const std::vector<double>& knotsV);
+
+NurbsSurface removeKnots(const NurbsSurface& surface, const std::vector<double>& knotsU,
+                         const std::vector<double>& knotsV, double tolerance = 1e-10);
 
 NurbsSurface elevateDegree(const NurbsSurface& surface, int byU, int byV);
 

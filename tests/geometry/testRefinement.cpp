@@ -34,6 +34,27 @@ TEST(Refinement, knotInsertionLeavesARationalCurveUnchanged) {
     expectSameCurve(curve, fine);
 }
 
+TEST(Refinement, knotsInsertedAndRemovedLeaveTheSameControlPoints) {
+    const NurbsCurve curve = sampleCurve();
+    const std::vector<double> knots = {0.1, 0.3, 0.3, 0.5, 0.7, 0.99};
+    const NurbsCurve back = removeKnots(insertKnots(curve, knots), knots);
+    EXPECT_EQ(back.knotVector().knots(), curve.knotVector().knots());
+    // As far as the blossom extrapolates beyond a short span, roundings grow.
+    EXPECT_LT((back.controlPoints() - curve.controlPoints()).cwiseAbs().maxCoeff(), 1e-11);
+    EXPECT_LT((back.weights() - curve.weights()).cwiseAbs().maxCoeff(), 1e-11);
+    const NurbsSurface surface = sampleSurface();
+    const NurbsSurface same =
+        removeKnots(insertKnots(surface, {0.4}, {0.2, 0.6}), {0.4}, {0.2, 0.6});
+    EXPECT_LT((same.controlPoints() - surface.controlPoints()).cwiseAbs().maxCoeff(), 1e-11);
+}
+
+TEST(Refinement, aKnotThatTheCurveNeedsIsNotRemoved) {
+    expectInputError([] { removeKnots(curveWithCorner(), {0.5}); }, {"not smooth enough"});
+    expectInputError([] { removeKnots(sampleCurve(), {0.123}); },
+                     {"The knot 0.123 cannot be removed"});
+    expectInputError([] { removeKnots(sampleCurve(), {0}); }, {"The knot 0 cannot be removed"});
+}
+
 TEST(Refinement, degreeElevationLeavesARationalCurveUnchanged) {
     const NurbsCurve curve = sampleCurve(), fine = elevateDegree(curve, 3);
     EXPECT_EQ(fine.degree(), 6);
