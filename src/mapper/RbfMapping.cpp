@@ -45,13 +45,23 @@ double automaticRadius(const Points& points, const geometry::BoxTree& tree, int 
     return radius;
 }
 
-/// By size, unless a radius asks for the global compact kernels.
-bool solvesGlobally(const RbfOptions& options, Eigen::Index nPoints) {
-    if (options.solution != RbfSolution::automatic)
-        return options.solution == RbfSolution::global;
-    const bool isDense = options.kernel == RadialKernel::thinPlate;
-    return nPoints <= (isDense ? RbfOptions::mostDensePoints : RbfOptions::mostSparsePoints) ||
-           (!isDense && options.radius > 0);
+/// Of the thin plate's values at the destination.
+double denseBytes(Eigen::Index nFrom, Eigen::Index nTo) {
+    return sizeof(double) * static_cast<double>(nFrom) * static_cast<double>(nTo);
+}
+
+void refuseTooManyDensePoints(Eigen::Index nFrom, Eigen::Index nTo) {
+    if (nFrom > RbfMapping::maxDensePoints)
+        throw InputError(fmt::format("The thin plate kernel needs a dense matrix of {0} x {0} "
+                                     "points; the limit is {1}. Choose the partition of unity, "
+                                     "or compactC2 or compactC6.",
+                                     nFrom, RbfMapping::maxDensePoints));
+    if (denseBytes(nFrom, nTo) > RbfMapping::maxDenseBytes)
+        throw InputError(fmt::format(
+            "The thin plate kernel solved globally needs a dense matrix of {} destination x {} "
+            "source points, {:.3g} GB; the limit is {:.3g} GB. Choose the partition of unity, or "
+            "compactC2 or compactC6.",
+            nTo, nFrom, denseBytes(nFrom, nTo) / 1e9, RbfMapping::maxDenseBytes / 1e9));
 }
 
 int defaultNeighbours(const Points& points) {
@@ -60,6 +70,17 @@ int defaultNeighbours(const Points& points) {
 }
 
 } // namespace
+
+RbfSolution chosenSolution(const RbfOptions& options, Eigen::Index nFrom, Eigen::Index nTo) {
+    constexpr Eigen::Index mostPoints = 300;
+    if (options.solution != RbfSolution::automatic)
+        return options.solution;
+    const bool isGlobal =
+        options.kernel == RadialKernel::thinPlate
+            ? nFrom <= mostPoints && denseBytes(nFrom, nTo) <= RbfMapping::maxDenseBytes
+            : options.radius > 0 || options.nNeighbours > 0;
+    return isGlobal ? RbfSolution::global : RbfSolution::partitionOfUnity;
+}
 
 RbfMapping::RbfMapping(const Points& from, const Points& to, const RbfOptions& options) {
     const Stopwatch watch;
@@ -74,16 +95,11 @@ RbfMapping::RbfMapping(const Points& from, const Points& to, const RbfOptions& o
     report_.method = "radial basis functions, " + nameOf(options.kernel);
     gaps.enter(report_);
 
-    const bool isGlobal = solvesGlobally(options, from.rows());
-    if (!isGlobal) {
+    if (chosenSolution(options, from.rows(), to.rows()) == RbfSolution::partitionOfUnity) {
         interpolant_ = partitionInterpolant(from, to, tree, options.kernel, options.nPerBall);
         report_.method += ", partition of unity";
     } else if (options.kernel == RadialKernel::thinPlate) {
-        if (from.rows() > maxDensePoints)
-            throw InputError(fmt::format("The thin plate kernel needs a dense matrix of {0} x {0} "
-                                         "points; the limit is {1}. Choose the partition of unity, "
-                                         "or compactC2 or compactC6.",
-                                         from.rows(), maxDensePoints));
+        refuseTooManyDensePoints(from.rows(), to.rows());
         interpolant_ = denseInterpolant(from, to, options.kernel, cloud.size());
     } else {
         const int nNeighbours =

@@ -10,15 +10,13 @@ namespace tokay::mapper {
 
 /// How the interpolation is solved.
 enum class RbfSolution {
-    automatic,       ///< global for small clouds, else partition of unity
-    global,          ///< one system: smoothest, but dense, or with ever smaller kernels
+    automatic,       ///< see chosenSolution
+    global,          ///< one system: dense, or with ever smaller kernels
     partitionOfUnity ///< many small systems, blended: time and memory grow with the points
 };
 
 struct RbfOptions {
     RadialKernel kernel = RadialKernel::thinPlate;
-    /// Most points that automatic solves globally: some seconds each.
-    static constexpr int mostDensePoints = 2000, mostSparsePoints = 20000;
     RbfSolution solution = RbfSolution::automatic;
     /// Source points of a ball of the partition of unity.
     int nPerBall = 60;
@@ -32,17 +30,27 @@ struct RbfOptions {
     GapLimit gapLimit{0.1, true};
 };
 
+/// What automatic comes to. The thin plate is solved globally up to 300 source points,
+/// within the bound of memory: with more of them the partition of unity is at least as
+/// accurate and takes less memory, whatever the number of destination points
+/// (measured by benchmarks/mapping/run). Compact kernels are solved globally only if
+/// their radius or number of neighbours is given: at the automatic one the partition
+/// of unity is more accurate at any size.
+RbfSolution chosenSolution(const RbfOptions& options, Eigen::Index nFrom, Eigen::Index nTo);
+
 /// Interpolation by radial basis functions and linear polynomials: it needs no
 /// mesh, takes linear fields exactly, and passes through the source's values.
 class RbfMapping : public Mapping {
   public:
-    /// Most points of the thin plate kernel solved globally: its matrix is dense.
+    /// Most source points of the thin plate kernel solved globally (its system is dense),
+    /// and most memory of its values at the destination, nTo x nFrom.
     static constexpr int maxDensePoints = 8000;
+    static constexpr double maxDenseBytes = 1e9;
 
     /// @param from  source points, nFrom x 3 [m]
     /// @param to    destination points, nTo x 3 [m]
-    /// @throws InputError for coinciding source points, too many points for a
-    /// dense kernel solved globally, a point far from all source points
+    /// @throws InputError for coinciding source points, too many points on either side
+    /// for a dense kernel solved globally, a point far from all source points
     RbfMapping(const Points& from, const Points& to, const RbfOptions& options = {});
     Eigen::MatrixXd apply(const Eigen::MatrixXd& values) const override;
     Eigen::MatrixXd applyTransposed(const Eigen::MatrixXd& forces) const override;

@@ -1,4 +1,5 @@
 #include "mapper/LinearPolynomial.hpp"
+#include "mapper/PrincipalFrame.hpp"
 #include "mapper/RbfInterpolant.hpp"
 #include <Eigen/LU>
 #include <algorithm>
@@ -15,6 +16,10 @@ struct Ball {
     std::vector<int> from, to;
 };
 
+geometry::Box boxAround(const Points& points, const std::vector<int>& cell) {
+    return geometry::Box::around(points(cell, Eigen::all));
+}
+
 /// Groups of at most nMost points that lie together: halves of halves.
 void appendCells(const Points& points, int nMost, std::vector<int> cell,
                  std::vector<std::vector<int>>& cells) {
@@ -22,14 +27,13 @@ void appendCells(const Points& points, int nMost, std::vector<int> cell,
         cells.push_back(std::move(cell));
         return;
     }
-    geometry::Box box = geometry::Box::empty();
-    for (const int i : cell)
-        box.include(Point(points.row(i)));
+    const geometry::Box box = boxAround(points, cell);
     int axis;
     (box.upper - box.lower).maxCoeff(&axis);
     const auto middle = cell.begin() + static_cast<std::ptrdiff_t>(cell.size() / 2);
-    std::nth_element(cell.begin(), middle, cell.end(),
-                     [&](int a, int b) { return points(a, axis) < points(b, axis); });
+    std::nth_element(cell.begin(), middle, cell.end(), [&](int a, int b) {
+        return std::pair(points(a, axis), a) < std::pair(points(b, axis), b);
+    });
     appendCells(points, nMost, {cell.begin(), middle}, cells);
     appendCells(points, nMost, {middle, cell.end()}, cells);
 }
@@ -56,15 +60,14 @@ double reachOf(const Points& points, const geometry::BoxTree& tree, const Point&
 }
 
 /// A ball around a cell that holds nPerBall points, and the cell with some margin.
-Ball ballAround(const std::vector<int>& cell, const Points& points, const geometry::BoxTree& tree,
-                int nPerBall) {
-    geometry::Box box = geometry::Box::empty();
-    for (const int i : cell)
-        box.include(Point(points.row(i)));
-    Ball ball{box.centre(), reachOf(points, tree, box.centre(), nPerBall), {}, {}};
+Ball ballAround(const std::vector<int>& cell, const Points& points, const PrincipalFrame& frame,
+                const geometry::BoxTree& tree, int nPerBall) {
+    const Point centre = frame.at(boxAround(frame.coordinates(), cell).centre());
+    Ball ball{centre, reachOf(points, tree, centre, nPerBall), {}, {}};
     for (const int i : cell)
         ball.radius = std::max(ball.radius, 1.1 * (points.row(i).transpose() - ball.centre).norm());
-    ball.radius *= 1 + 1e-12; // the farthest point lies inside
+    // The farthest point lies inside; of a single one any reach will do.
+    ball.radius = ball.radius > 0 ? ball.radius * (1 + 1e-12) : 1;
     ball.from = pointsWithin(points, tree, ball.centre, ball.radius);
     return ball;
 }
@@ -121,10 +124,11 @@ class Partition : public RbfInterpolant {
         std::vector<int> all(from.rows());
         std::iota(all.begin(), all.end(), 0);
         std::vector<std::vector<int>> cells;
-        appendCells(from, std::max(1, nPerBall / 3), std::move(all), cells);
+        const PrincipalFrame frame(from);
+        appendCells(frame.coordinates(), std::max(1, nPerBall / 3), std::move(all), cells);
         std::vector<Ball> balls;
         for (const std::vector<int>& cell : cells)
-            balls.push_back(ballAround(cell, from, tree, nPerBall));
+            balls.push_back(ballAround(cell, from, frame, tree, nPerBall));
         return balls;
     }
 

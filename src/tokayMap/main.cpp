@@ -59,8 +59,9 @@ void addOperator(CLI::App& app, tool::OperatorOptions& options) {
         },
         "rbf: thinPlate (default), compactC2 or compactC6");
     using mapper::RbfSolution;
-    app.add_option("--solution", options.rbf.solution,
-                   "rbf: automatic (default: by the number of points), global or partitionOfUnity")
+    app.add_option(
+           "--solution", options.rbf.solution,
+           "rbf: automatic (default: by kernel and number of points), global or partitionOfUnity")
         ->transform(oneOf<RbfSolution>({{"automatic", RbfSolution::automatic},
                                         {"global", RbfSolution::global},
                                         {"partitionOfUnity", RbfSolution::partitionOfUnity}}));

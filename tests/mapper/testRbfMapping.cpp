@@ -6,6 +6,7 @@
 #include "sampleInterfaces.hpp"
 #include "sampleMeshes.hpp"
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -103,6 +104,20 @@ TEST(RbfMapping, scalePositionAndRotationDoNotMatter) {
     }
 }
 
+TEST(RbfMapping, rotationDoesNotMatterForThePartitionOfUnityOfALargeCloud) {
+    const Points from = bent(cloud(40, 20, 0)), to = bent(cloud(31, 18, 2));
+    const Points values = testForces(from.rows());
+    const Eigen::Matrix3d rotation =
+        Eigen::AngleAxisd(0.7, Point(-1, 2, 1).normalized()).toRotationMatrix();
+    for (const RadialKernel kernel : allKernels) {
+        const RbfMapping reference(from, to, with(kernel)),
+            turned(from * rotation.transpose(), to * rotation.transpose(), with(kernel));
+        ASSERT_NE(reference.report().method.find("partition"), std::string::npos);
+        // The kernel matrix's condition enlarges rounding.
+        EXPECT_LT((turned.apply(values) - reference.apply(values)).cwiseAbs().maxCoeff(), 1e-9);
+    }
+}
+
 TEST(RbfMapping, theAutomaticRadiusHoldsTheNeighboursOfEveryPoint) {
     const Points from = cloud(20, 10, 0);
     RbfOptions options = with(RadialKernel::compactC2);
@@ -164,6 +179,65 @@ TEST(RbfMapping, aHundredThousandPointsAreMappedByThePartitionOfUnityInLittleMem
     EXPECT_LT((mapping.apply(values) - exact).cwiseAbs().maxCoeff(), 2e-5);
 }
 
+TEST(RbfMapping, solvesTheThinPlateGloballyForFewSourcePointsWithinTheBoundOfMemory) {
+    const RbfOptions options;
+    EXPECT_EQ(chosenSolution(options, 300, 1000), RbfSolution::global);
+    EXPECT_EQ(chosenSolution(options, 301, 1000), RbfSolution::partitionOfUnity);
+    EXPECT_EQ(chosenSolution(options, 250, 500000), RbfSolution::global); // 1.0 GB
+    EXPECT_EQ(chosenSolution(options, 250, 500001), RbfSolution::partitionOfUnity);
+    RbfOptions asked;
+    asked.solution = RbfSolution::global;
+    EXPECT_EQ(chosenSolution(asked, 250, 500001), RbfSolution::global);
+    const Points from = cloud(30, 20, 0), few = cloud(15, 10, 0), to = cloud(25, 30, 3);
+    EXPECT_NE(RbfMapping(from, to).report().method.find("partition"), std::string::npos);
+    EXPECT_EQ(RbfMapping(few, to).report().method.find("partition"), std::string::npos);
+}
+
+TEST(RbfMapping, solvesCompactKernelsGloballyOnlyIfTheirReachIsGiven) {
+    for (const RadialKernel kernel : {RadialKernel::compactC2, RadialKernel::compactC6}) {
+        RbfOptions options = with(kernel);
+        EXPECT_EQ(chosenSolution(options, 20, 20), RbfSolution::partitionOfUnity);
+        options.radius = 0.3;
+        EXPECT_EQ(chosenSolution(options, 20, 20), RbfSolution::global);
+        options.radius = 0;
+        options.nNeighbours = 20;
+        EXPECT_EQ(chosenSolution(options, 20, 20), RbfSolution::global);
+    }
+}
+
+TEST(RbfMapping, theAutomaticChoiceIsAboutAsAccurateAsTheBetterSolution) {
+    const auto smooth = [](const Points& x) -> Eigen::VectorXd {
+        return (2 * x.col(0)).array().sin() * (3 * x.col(2)).array().cos();
+    };
+    const Points to = bent(cloud(37, 19, 3));
+    for (const RadialKernel kernel : allKernels)
+        for (const int n : {6, 12, 18, 30}) {
+            const Points from = bent(cloud(2 * n, n, 0));
+            const auto errorBy = [&](RbfSolution solution) {
+                RbfOptions options = with(kernel);
+                options.solution = solution;
+                return (RbfMapping(from, to, options).apply(smooth(from)) - smooth(to)).norm();
+            };
+            const double best =
+                std::min(errorBy(RbfSolution::global), errorBy(RbfSolution::partitionOfUnity));
+            // Near the bounds the two are alike.
+            EXPECT_LT(errorBy(RbfSolution::automatic), 1.5 * best) << nameOf(kernel) << ' ' << n;
+        }
+}
+
+TEST(RbfMapping, mapsFromAFewPointsWithEveryKernel) {
+    const Points to = cloud(5, 4, 1);
+    for (const RadialKernel kernel : allKernels)
+        for (const int n : {1, 2, 3}) {
+            const Points from = cloud(2, 1, 0).topRows(n);
+            RbfOptions options = with(kernel);
+            options.gapLimit.relative = 1e3; // of the few points' size
+            options.gapLimit.refuse = false;
+            const RbfMapping mapping(from, to, options);
+            EXPECT_LT(mapping.report().rowSumError, 1e-12) << nameOf(kernel) << ' ' << n;
+        }
+}
+
 TEST(RbfMapping, refusesCoincidingPointsTooManyPointsAndFarOnes) {
     Points from = cloud(4, 4, 0);
     from.row(7) = from.row(3);
@@ -173,6 +247,9 @@ TEST(RbfMapping, refusesCoincidingPointsTooManyPointsAndFarOnes) {
     global.solution = RbfSolution::global;
     expectInputError([&] { RbfMapping(many, many.topRows(5), global); },
                      {"8281", "8000", "partition of unity", "compactC2"});
+    const Points fine = cloud(300, 300, 1);
+    expectInputError([&] { RbfMapping(cloud(40, 40, 0), fine, global); },
+                     {"90601", "1681", "1.22 GB", "limit is 1 GB", "partition of unity"});
     expectInputError([&] { RbfMapping(cloud(4, 4, 0), far); }, {"do not lie on each other"});
     expectInputError([] { radialKernelFromName("gauss"); }, {"gauss", "thinPlate"});
 }
