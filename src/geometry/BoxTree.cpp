@@ -96,18 +96,21 @@ void BoxTree::visitNearest(const Point& point, const std::function<double(int)>&
 }
 
 std::vector<int> BoxTree::overlapping(const Box& box) const {
+    return meeting([&](const Box& other) { return other.overlaps(box); });
+}
+
+std::vector<int> BoxTree::meeting(const std::function<bool(const Box&)>& meets) const {
     std::vector<int> found, stack = {0};
     while (!stack.empty()) {
         const Node& node = nodes_[stack.back()];
         stack.pop_back();
-        if (!node.box.overlaps(box))
+        if (!meets(node.box))
             continue;
         if (node.left >= 0)
             stack.insert(stack.end(), {node.left, node.left + 1});
         else
             std::copy_if(items_.begin() + node.begin, items_.begin() + node.end,
-                         std::back_inserter(found),
-                         [&](int item) { return boxes_[item].overlaps(box); });
+                         std::back_inserter(found), [&](int item) { return meets(boxes_[item]); });
     }
     std::sort(found.begin(), found.end());
     return found;

@@ -35,6 +35,10 @@ class BoxTree {
     /// Numbers of the boxes that overlap, ascending.
     std::vector<int> overlapping(const Box& box) const;
 
+    /// Numbers of the boxes that meet a region, ascending.
+    /// @param meets  whether a box does; then so must every box that holds it
+    std::vector<int> meeting(const std::function<bool(const Box&)>& meets) const;
+
   private:
     struct Node {
         Box box;

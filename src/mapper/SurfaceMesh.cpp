@@ -138,9 +138,4 @@ Location SurfaceMesh::locate(const Point& point) const {
     return {functions(nearest, at), candidate.distance(), true, candidate.isAmbiguous()};
 }
 
-std::vector<int> SurfaceMesh::trianglesNear(const Box& box, double distance) const {
-    const Point margin = Point::Constant(distance);
-    return tree_->overlapping({box.lower - margin, box.upper + margin});
-}
-
 } // namespace tokay::mapper

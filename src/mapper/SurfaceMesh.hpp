@@ -49,8 +49,8 @@ class SurfaceMesh : public Discretisation {
     /// Degree of the functions on a triangle.
     int degree() const { return valuesAt_ == ValuesAt::vertices ? 1 : 0; }
 
-    /// Triangles whose boxes come within a distance of the box.
-    std::vector<int> trianglesNear(const geometry::Box& box, double distance) const;
+    /// Tree over the boxes of the triangles.
+    const geometry::BoxTree& tree() const { return *tree_; }
 
   private:
     void checkFace(int face) const;

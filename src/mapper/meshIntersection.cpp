@@ -15,6 +15,15 @@ using geometry::Triangle;
 
 namespace {
 
+using Rectangle = Eigen::AlignedBox2d;
+
+Rectangle around(const Polygon& polygon) {
+    Rectangle rectangle;
+    for (const Eigen::Vector2d& corner : polygon)
+        rectangle.extend(corner);
+    return rectangle;
+}
+
 /// Plane of a triangle, with coordinates along two axes of unit length.
 class Plane {
   public:
@@ -34,6 +43,13 @@ class Plane {
         if (signedArea(polygon) < 0)
             std::swap(polygon[1], polygon[2]);
         return polygon;
+    }
+
+    /// A rectangle of the plane that holds the box's projection.
+    Rectangle project(const geometry::Box& box) const {
+        const Eigen::Vector2d middle = project(box.centre());
+        const Eigen::Vector2d half = 0.5 * (axes_.cwiseAbs() * (box.upper - box.lower));
+        return {middle - half, middle + half};
     }
 
   private:
@@ -73,13 +89,29 @@ class Integration {
         const Plane plane(destination);
         const Polygon target = plane.project(destination);
         double covered = 0;
-        for (const int i : from_.trianglesNear(boxOf(destination), reach_))
+        for (const int i : sourcesAlongNormal(destination, plane, target))
             covered += overPiece(number, i, plane,
                                  clippedByConvex(plane.project(from_.triangle(i)), target));
         countUncovered(number, destination.area() - covered);
     }
 
   private:
+    /// Those within reach of which the box, seen along the normal, overlaps the target:
+    /// no other one has a piece of it.
+    std::vector<int> sourcesAlongNormal(const Triangle& destination, const Plane& plane,
+                                        const Polygon& target) const {
+        geometry::Box within = boxOf(destination);
+        within.lower.array() -= reach_;
+        within.upper.array() += reach_;
+        Rectangle seen = around(target);
+        const Eigen::Vector2d rounding = Eigen::Vector2d::Constant(1e-6 * seen.diagonal().norm());
+        seen.extend(seen.min() - rounding);
+        seen.extend(seen.max() + rounding);
+        return from_.tree().meeting([&](const geometry::Box& box) {
+            return box.overlaps(within) && plane.project(box).intersects(seen);
+        });
+    }
+
     /// @return the piece's area, 0 if its source is not the one that counts
     double overPiece(int toTriangle, int fromTriangle, const Plane& plane, const Polygon& piece) {
         const Triangle &destination = to_.triangle(toTriangle),

@@ -54,4 +54,19 @@ TEST(BoxTree, findsExactlyTheOverlappingBoxes) {
     EXPECT_EQ(BoxTree(boxes).overlapping(window), expected);
 }
 
+TEST(BoxTree, findsExactlyTheBoxesThatMeetAHalfSpace) {
+    const std::vector<Box> boxes = scatteredBoxes(300);
+    const Point normal(0.6, -0.48, 0.64);
+    const auto meets = [&](const Box& box) {
+        return normal.dot(box.centre()) + 0.5 * normal.cwiseAbs().dot(box.upper - box.lower) >= 0.9;
+    };
+    std::vector<int> expected;
+    for (int i = 0; i < 300; ++i)
+        if (meets(boxes[i]))
+            expected.push_back(i);
+    EXPECT_GT(expected.size(), 10u);
+    EXPECT_LT(expected.size(), 100u);
+    EXPECT_EQ(BoxTree(boxes).meeting(meets), expected);
+}
+
 } // namespace tokay::geometry

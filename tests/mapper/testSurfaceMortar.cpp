@@ -129,6 +129,48 @@ TEST(SurfaceMortar, keepsConstantsAndForcesBetweenFacetedSidesThatDoNotCoincide)
     expectTransposesEqual(mapping, from.nValues(), to.nValues());
 }
 
+TEST(SurfaceMortar, aWideGapLimitDoesNotChangeTheResult) {
+    const auto mappedWithin = [](const SurfaceMesh& from, const SurfaceMesh& to, double limit) {
+        MortarOptions options;
+        options.gapLimit.relative = limit;
+        const MortarMapping mapping(from, to, options);
+        EXPECT_EQ(mapping.report().nUncovered, 0);
+        EXPECT_GT(mapping.report().coverage, 0.999);
+        return Points(mapping.apply(testForces(from.nValues())));
+    };
+    const std::pair<SurfaceMesh, SurfaceMesh> pairs[] = {
+        {placed(9, 0, 1, 0), placed(7, 2, 1, 0)},
+        {quarterCylinder(15, 6, ValuesAt::faces), quarterCylinder(11, 5, ValuesAt::vertices)},
+        {quarterCylinder(11, 5, ValuesAt::vertices), quarterCylinder(40, 9, ValuesAt::vertices)}};
+    for (const auto& [from, to] : pairs) {
+        const Points narrow = mappedWithin(from, to, 0.01);
+        // The same pieces in the same order: equal to rounding of the sums.
+        for (const double limit : {0.1, 1.0})
+            EXPECT_LT((mappedWithin(from, to, limit) - narrow).cwiseAbs().maxCoeff(), 1e-13);
+    }
+}
+
+TEST(SurfaceMortar, aSourceHighAboveTheDestinationIsFoundAlongItsNormal) {
+    // Rotated, the normal lies across all axes.
+    const SurfaceMesh from = placed(9, 0, 1, 0), flat = placed(7, 2, 1, 0);
+    const Point normal = flat.triangle(0).unitNormal();
+    const double height = 0.09 * from.size();
+    SurfaceMesh::Faces faces;
+    for (int i = 0; i < flat.nTriangles(); ++i) {
+        const std::array<int, 3> corners = flat.cornerNumbers(i);
+        faces.push_back({corners[0], corners[1], corners[2]});
+    }
+    const SurfaceMesh above(flat.vertices().rowwise() + height * normal.transpose(), faces,
+                            ValuesAt::vertices);
+    MortarOptions options;
+    options.gapLimit.relative = 0.1;
+    const MortarMapping mapping(from, above, options), reference(from, flat, options);
+    EXPECT_NEAR(mapping.report().coverage, 1, 1e-12);
+    EXPECT_NEAR(mapping.report().largestGap, height, 1e-12);
+    const Points values = testForces(from.nValues());
+    EXPECT_LT((mapping.apply(values) - reference.apply(values)).cwiseAbs().maxCoeff(), 1e-12);
+}
+
 TEST(SurfaceMortar, aThinBodysOtherSideIsNotMapped) {
     // Two plates a hundredth apart, both within the gap limit of each other.
     const auto twoPlates = [](int n, double value, Points* values) {
