@@ -88,8 +88,8 @@ int main(int argc, char** argv) {
                "partitionError\n";
         fmt::print("{:<8} {:<10} {:>6} {:>7} {:>19} {:>17} {:>19}\n{:>34}{:>10} {:>9} {:>8} {:>8} "
                    "{:>9} {:>9}\n",
-                   "shape", "kernel", "from", "to", "seconds", "MB", "error", "", "global",
-                   "parts", "global", "parts", "global", "parts");
+                   "shape", "kernel", "from", "to", "seconds", "MB", "error", "", "global", "parts",
+                   "global", "parts", "global", "parts");
         for (const RadialKernel kernel :
              {RadialKernel::thinPlate, RadialKernel::compactC2, RadialKernel::compactC6})
             for (const Clouds& clouds : allClouds(argc > 2))
