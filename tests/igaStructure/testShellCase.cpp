@@ -209,3 +209,32 @@ TEST(ShellBody, material_points_through_the_thickness_are_found_and_turn_with_th
     const Eigen::Vector3d moved = body->displacements(d, {found.place}).col(0);
     EXPECT_LT((moved - (rotation * outside - outside)).norm(), 1e-9 * 25);
 }
+
+TEST(ShellBody, result_file_of_a_trimmed_patch_covers_what_its_loops_keep) {
+    const geometry::NurbsCurve circle = geometry::arc({0.45, 0.5, 0}, 0.2, 0, 2 * M_PI);
+    const geometry::NurbsCurve clockwise(circle.knotVector(),
+                                         circle.controlPoints().colwise().reverse(),
+                                         circle.weights().reverse());
+    const geometry::TrimmedPatch patch(
+        geometry::rectangle({0, 0, 0}, 1, 1),
+        {geometry::TrimmingLoop(geometry::LoopKind::inner, {clockwise})}, "plate");
+    const ShellBody body(
+        ShellDescription{geometry::BrepModel({{patch.refined(2, 2, 6, 6)}}), {0.1}, {1e6, 0.3, 1}});
+    const VtuMesh mesh = body.meshes(OutputOptions())[0];
+    ASSERT_EQ(mesh.cellSize, 3);
+    const Eigen::MatrixXd x = body.positions(mesh.points);
+    double area = 0;
+    for (std::size_t k = 0; k < mesh.connectivity.size(); k += 3) {
+        const Eigen::Vector3d a = x.col(mesh.connectivity[k]);
+        const Eigen::Vector3d b = x.col(mesh.connectivity[k + 1]);
+        const Eigen::Vector3d c = x.col(mesh.connectivity[k + 2]);
+        area += 0.5 * (b - a).cross(c - a)[2];
+    }
+    const double expected = 1 - M_PI * 0.2 * 0.2;
+    EXPECT_NEAR(area, expected, 1e-2 * expected); // chords of the circle
+    MotionState atRest;
+    atRest.displacement = Eigen::VectorXd::Zero(body.model().nUnknowns());
+    const Eigen::MatrixXd stress = body.field("principalStressTop", atRest, mesh.points);
+    EXPECT_EQ(stress.cols(), static_cast<Eigen::Index>(mesh.points.size()));
+    EXPECT_EQ(stress.norm(), 0);
+}
