@@ -90,9 +90,10 @@ std::optional<TimeSteps> readTimeSteps(const CaseSection& section) {
 
 NewtonOptions readNewton(const CaseSection& file) {
     const CaseSection section = file.section("newton");
-    const bool isShell = file.section("model").text("kinematics") == "shell";
+    const std::string kinematics = file.section("model").text("kinematics");
+    const bool bendsThinly = kinematics == "shell" || kinematics == "beam";
     return {section.number("tolerance"), section.integer("maximumIterations"),
-            section.has("lineSearch") ? section.yesNo("lineSearch") : !isShell};
+            section.has("lineSearch") ? section.yesNo("lineSearch") : !bendsThinly};
 }
 
 OutputOptions readOutput(const CaseSection& section, const std::string& directory) {

@@ -34,7 +34,7 @@ const std::vector<CaseEntry>& solutionEntries() {
     {"newton.maximumIterations", Kind::integer, defaulted, "25", "", "[1, 1000]", 0,
      "Iterations after which the time step has failed."},
     {"newton.lineSearch", Kind::yesNo, optional, "", "", "", 0,
-     "Shorten an update that does not reduce the residual along its own direction, or inverts the body. If not given: no for a shell, whose residual grows before it falls, else yes."},
+     "Shorten an update that does not reduce the residual along its own direction, or inverts the body. If not given: no for a shell or beam, whose residual grows before it falls, else yes."},
     };
     return entries;
 }
