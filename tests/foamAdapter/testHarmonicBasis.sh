@@ -158,6 +158,15 @@ otherPatch()
     expectText log.pimpleFoam "a patch that is not among 'patches' moves" "harmonicBasisCoeffs"
 }
 
+property misspelt "harmonicBasis: a misspelt entry is refused"
+misspelt()
+{
+    makeSway fluid
+    basis nFunction 5
+    runFaultyFluid
+    expectText log.pimpleFoam "unknown entry 'nFunction'; there are" "nFunctions"
+}
+
 property noMemory "harmonicBasis: a basis beyond the memory limit is refused"
 noMemory()
 {

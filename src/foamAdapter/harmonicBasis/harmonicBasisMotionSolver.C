@@ -16,6 +16,7 @@ License
 #include "clockTime.H"
 #include "fixedValuePointPatchFields.H"
 #include "pointConstraints.H"
+#include "requireKnownEntries.H"
 #include "StringStream.H"
 #include "twoDPointCorrector.H"
 
@@ -45,6 +46,11 @@ namespace Foam
 
 Foam::labelList Foam::harmonicBasisMotionSolver::selectPatches() const
 {
+    requireKnownEntries
+    (
+        coeffDict(),
+        {"patches", "nFunctions", "diffusivity", "fitLimit", "memoryLimit"}
+    );
     const polyBoundaryMesh& patches = fvMesh_.boundaryMesh();
     if (coeffDict().found("patches"))
     {
@@ -310,14 +316,7 @@ Foam::harmonicBasisMotionSolver::harmonicBasisMotionSolver
     const IOdictionary& dict
 )
 :
-    displacementMotionSolver(mesh, dict, typeName),
-    fvMesh_(refCast<const fvMesh>(mesh)),
-    patches_(selectPatches()),
-    boundaryPoints_(selectBoundaryPoints()),
-    nFunctions_(coeffDict().getCheckOrDefault<label>("nFunctions", 32, labelMinMax::ge(1))),
-    fitLimit_(coeffDict().getCheckOrDefault<scalar>("fitLimit", 0.1, scalarMinMax::ge(0))),
-    memoryLimit_(1e6*coeffDict().getOrDefault<scalar>("memoryLimit", 1000)),
-    cellHeight_(0)
+    displacementMotionSolver(mesh, dict, typeName)
 {}
 
 
@@ -329,14 +328,7 @@ Foam::harmonicBasisMotionSolver::harmonicBasisMotionSolver
     const pointIOField& points0
 )
 :
-    displacementMotionSolver(mesh, dict, pointDisplacement, points0, typeName),
-    fvMesh_(refCast<const fvMesh>(mesh)),
-    patches_(selectPatches()),
-    boundaryPoints_(selectBoundaryPoints()),
-    nFunctions_(coeffDict().getCheckOrDefault<label>("nFunctions", 32, labelMinMax::ge(1))),
-    fitLimit_(coeffDict().getCheckOrDefault<scalar>("fitLimit", 0.1, scalarMinMax::ge(0))),
-    memoryLimit_(1e6*coeffDict().getOrDefault<scalar>("memoryLimit", 1000)),
-    cellHeight_(0)
+    displacementMotionSolver(mesh, dict, pointDisplacement, points0, typeName)
 {}
 
 
@@ -347,7 +339,12 @@ Foam::tmp<Foam::pointField> Foam::harmonicBasisMotionSolver::curPoints() const
     vectorField displacement(movingPoints_.size(), Zero);
     forAll(W_, function)
     {
-        displacement += W_[function]*coefficients_[function];
+        const scalarField& values = W_[function];
+        const vector& coefficient = coefficients_[function];
+        forAll(values, i)
+        {
+            displacement[i] += values[i]*coefficient;
+        }
     }
     vectorField& onPoints = pointDisplacement_.primitiveFieldRef();
     onPoints = Zero;

@@ -207,7 +207,13 @@ Foam::scalarField Foam::harmonicExtension::extend
         IOobject::NO_WRITE,
         false
     );
-    volScalarField onCells(io, mesh, dimensionedScalar(dimless, Zero), faceTypes_);
+    volScalarField onCells
+    (
+        io,
+        mesh,
+        dimensionedScalar(dimless, Zero),
+        faceTypes_
+    );
     for (const label patchi : patches_)
     {
         const polyPatch& patch = mesh.boundaryMesh()[patchi];

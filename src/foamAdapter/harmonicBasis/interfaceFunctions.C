@@ -68,7 +68,8 @@ void Foam::interfaceFunctions::chooseControls(const label n)
             break;
         }
         const scalarField toNext(magSqr(allPoints_ - allPoints_[next]));
-        distance = controls.empty() ? toNext : scalarField(min(distance, toNext));
+        distance =
+            controls.empty() ? toNext : scalarField(min(distance, toNext));
         controls.append(next);
     }
     controls_.transfer(controls);
@@ -210,7 +211,10 @@ Foam::scalar Foam::interfaceFunctions::residual
     vectorField rest(values);
     forAll(values_, function)
     {
-        rest -= values_[function]*coefficients[function];
+        forAll(rest, i)
+        {
+            rest[i] -= values_[function][i]*coefficients[function];
+        }
     }
     return rest.empty() ? 0 : max(mag(rest));
 }
