@@ -192,6 +192,22 @@ policy()
     expectRefusal "ignore" "(abort warn)" "controlDict.functions.structure"
 }
 
+property exchangePolicy "an exchange policy that cannot be followed is refused"
+exchangePolicy()
+{
+    makeCase fluid
+    coupling exchange interval
+    expectRefusal "exchangeInterval" "controlDict.functions.structure"
+    coupling exchangeInterval 0
+    expectRefusal "'exchangeInterval' is 0: it must be at least 1"
+    coupling exchange everyCorrector
+    expectRefusal "'exchangeInterval' is given, but 'exchange' is 'everyCorrector'" "remove it"
+    removeEntry system/controlDict functions.structure.exchangeInterval
+    coupling exchange fluidConverged
+    removeEntry system/fvSolution PIMPLE.residualControl.U
+    expectRefusal "residualControl has no entry for the velocity" "add 'U { tolerance 1e-4; relTol 0; }'"
+}
+
 property timeControl "a time control of the function object is refused"
 timeControl()
 {

@@ -49,6 +49,26 @@ parallel()
     expectSameTable "tip" 1e-4 serial.tip parallel.tip
 }
 
+property policies "the tip moves alike whether fluid and structure exchange in every corrector or after convergence"
+policies()
+{
+    local policy
+    for policy in everyCorrector fluidConverged
+    do
+        makeFlap $policy
+        entry system/controlDict endTime 0.1
+        coupling exchange $policy
+        entry system/fvSolution PIMPLE.residualControl.structure.tolerance 1e-6
+        entry system/fvSolution PIMPLE.residualControl.U.tolerance 1e-6
+        runFluid
+        cd ..
+        watchPoints $policy | awk '{ print $2, $3 }' > $policy.tip
+    done
+    expectEqual "steps" "$(wc -l < fluidConverged.tip)" 10
+    # Steps converged to 1e-6 each
+    expectSameTable "tip" 1e-4 everyCorrector.tip fluidConverged.tip
+}
+
 property adjusted "the structure follows a time step that the fluid adjusts"
 adjusted()
 {

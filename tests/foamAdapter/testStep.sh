@@ -69,6 +69,45 @@ exchanges()
     awk '$3 < 5 { exit 1 }' steps || fail "a step has ended before the structure had converged"
 }
 
+property exchangeInterval "with an interval of two every second corrector exchanges, and the final one"
+exchangeInterval()
+{
+    makeCase fluid
+    behave creeps
+    coupling exchange interval
+    coupling exchangeInterval 2
+    runFluid
+    expectEqual "converged" "$(table | awk '{ print $7 }' | sort -u)" 1
+    # n exchanges of two correctors each, then the final one
+    table | awk '$3 != 2*($4 - 1) + 1 || $4 < 5 { exit 1 }' || fail "correctors and exchanges: $(table | cut -f 3,4)"
+}
+
+property fluidConverged "an exchange waits until the flow has converged, if that is asked for"
+fluidConverged()
+{
+    makeCase fluid
+    behave creeps
+    coupling exchange fluidConverged
+    entry system/fvSolution PIMPLE.residualControl.U.tolerance 1e-5
+    runFluid
+    expectEqual "converged" "$(table | awk '{ print $7 }' | sort -u)" 1
+    awk '$1 == "forces" && $3 == 0 { ++n; if (!($5 < 1e-5)) bad = 1 } END { exit bad || n < 12 }' record \
+        || fail "an exchange with a flow that has not converged"
+    table | awk '$3 < 2*$4 { exit 1 }' || fail "as many exchanges as correctors"
+}
+
+property lastExchange "before the final corrector there is an exchange, whatever the policy"
+lastExchange()
+{
+    neverConverge
+    coupling onUnconverged warn
+    coupling exchange interval
+    coupling exchangeInterval 4
+    runFluid
+    # Correctors 4, 5 and the final one of 6
+    expectEqual "exchanges" "$(steps record | cut -d ' ' -f 3,4 | sort -u)" "3 1"
+}
+
 property rows "the coupling's table has one row a step"
 rows()
 {

@@ -82,6 +82,19 @@ Foam::scalar Foam::couplingResidual::readTolerance() const
 }
 
 
+const Foam::dictionary* Foam::couplingResidual::momentumControl
+(
+    const dictionary& controls
+) const
+{
+    return controls.subDict("residualControl").findDict
+    (
+        UName_,
+        keyType::REGEX
+    );
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::couplingResidual::couplingResidual
@@ -156,15 +169,17 @@ Foam::scalar Foam::couplingResidual::momentum() const
 }
 
 
+bool Foam::couplingResidual::controlsMomentum() const
+{
+    const dictionary controls(pimple_.dict());
+    return momentumControl(controls);
+}
+
+
 bool Foam::couplingResidual::momentumConverged() const
 {
     const dictionary controls(pimple_.dict());
-    const dictionary* control =
-        controls.subDict("residualControl").findDict
-        (
-            UName_,
-            keyType::REGEX
-        );
+    const dictionary* control = momentumControl(controls);
     return !control || momentum() < control->get<scalar>("tolerance");
 }
 

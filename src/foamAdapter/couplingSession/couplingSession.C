@@ -148,6 +148,7 @@ void Foam::couplingSession::beginTimeStep()
     stepStart_ = wallClock();
     current_ = statistics();
     accepted_ = false;
+    exchangeCorrector_ = 0;
     timeIndex_ = runTime.timeIndex();
 
     tokay::coupling::BeginStep message;
@@ -208,6 +209,13 @@ void Foam::couplingSession::checkForces(const vectorField& forces)
 }
 
 
+bool Foam::couplingSession::exchangeIsDue() const
+{
+    return policy_.isDue(corrector_ - exchangeCorrector_)
+        || corrector_ == pimple_.nCorrPIMPLE() - 1;
+}
+
+
 void Foam::couplingSession::exchange(const bool final)
 {
     const scalar start = wallClock();
@@ -242,6 +250,7 @@ void Foam::couplingSession::exchange(const bool final)
         current_.residual = state[0];
         current_.converged = state[1] > 0;
     }
+    exchangeCorrector_ = corrector_;
     ++current_.exchanges;
     current_.forceSeconds += sent - start;
     current_.exchangeSeconds += wallClock() - sent;
@@ -302,10 +311,12 @@ Foam::couplingSession::couplingSession
     interface_(mesh, selectPatches(mesh, dict), dict),
     force_(mesh, dict),
     residual_(name, force_.UName(), mesh, pimple_),
+    policy_(dict, residual_),
     pointDisplacement_(findPointDisplacement()),
     structure_(dict, mesh.time()),
     timeIndex_(-1),
     corrector_(0),
+    exchangeCorrector_(0),
     accepted_(false),
     stepStart_(0)
 {
@@ -402,10 +413,15 @@ void Foam::couplingSession::endCorrector()
         exchange(true);
         accepted_ = true;
     }
-    else
+    else if (exchangeIsDue())
     {
         exchange(false);
         residual_.enter(current_.residual);
+    }
+    else
+    {
+        current_.converged = false;
+        residual_.enter(1);
     }
 }
 

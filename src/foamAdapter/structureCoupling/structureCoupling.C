@@ -92,6 +92,7 @@ Foam::functionObjects::structureCoupling::structureCoupling
         dict,
         {
             "patches", "rho", "pRef", "viscous", "p", "U", "onUnconverged",
+            "exchange", "exchangeInterval",
             "structure",
             // Those of any function object
             "type", "libs", "functionObjectLibs", "enabled", "log", "region",
