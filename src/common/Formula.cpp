@@ -79,6 +79,11 @@ bool Formula::dependsOnTime() const {
     return implementation_->parser.GetUsedVar().count("t") > 0;
 }
 
+bool Formula::dependsOnPlace() const {
+    const auto& used = implementation_->parser.GetUsedVar();
+    return used.count("x") + used.count("y") + used.count("z") > 0;
+}
+
 const std::string& Formula::text() const {
     return implementation_->text;
 }

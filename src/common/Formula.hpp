@@ -25,6 +25,8 @@ class Formula {
     double operator()(const Eigen::Vector3d& at, double t) const;
 
     bool dependsOnTime() const;
+    /// On x, y or z.
+    bool dependsOnPlace() const;
     const std::string& text() const;
 
   private:

@@ -134,10 +134,8 @@ TEST(ShellBenchmarks, cantilever_with_end_shear) {
 TEST(ShellBenchmarks, cantilever_rolled_up_to_a_circle) {
     ShellDescription plate =
         onePatch(geometry::rectangle({0, 0, 0}, 12, 1), 4, 16, 1, 0.1, {1.2e6, 0, 1});
-    // In its plane: a moment that follows an edge that turns in space has no potential.
-    plate.edgeSupports = {support(left, {true, true, true}, true),
-                          support(bottom, {false, true, false}),
-                          support(top, {false, true, false})};
+    // Free to leave its plane: the moment has no potential.
+    plate.edgeSupports = {support(left, {true, true, true}, true)};
     const double fullCircle = 50 * M_PI / 3;
     plate.loads.edgeMoments = {
         {{0, right}, {[=](const geometry::Point&, double t) { return -fullCircle * t; }, true}}};

@@ -96,7 +96,7 @@ TEST(ShellBalloon, inflated_sphere_is_in_balance_with_the_pressure_of_the_formul
     for (const bool bending : {false, true}) {
         ShellDescription description = balloon();
         description.bending = bending;
-        description.loads.pressures = {{0, ScalarField::constant(1)}};
+        description.loads.pressures = {{{0}, ScalarField::constant(1)}};
         const Shell shell(std::move(description));
         for (const double stretch : {1.01, 1.1, 1.4, 2.0, 4.0, 6.0}) {
             const VectorXd d =
@@ -114,7 +114,7 @@ TEST(ShellBalloon, inflates_as_the_formula_says) {
     ShellDescription description = balloon();
     const double stretch = 1.2;
     description.loads.pressures = {
-        {0,
+        {{0},
          {[=](const geometry::Point&, double t) { return t * balloonPressure(stretch); }, true}}};
     Shell shell(std::move(description));
     const VectorXd d = solveStatic(shell, 4, false);

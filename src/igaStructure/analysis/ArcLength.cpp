@@ -28,11 +28,14 @@ void setFixedToZero(const std::vector<bool>& fixed, VectorXd& vector) {
 } // namespace
 
 ArcLength::ArcLength(StructuralModel& model, const NewtonOptions& newton, double firstStep)
-    : model_(model), newton_(newton), firstStep_(firstStep), solver_(model.fixed()) {
+    : model_(model), newton_(newton), firstStep_(firstStep) {
     state_.displacement = VectorXd::Zero(model.nUnknowns());
     state_.velocity = state_.acceleration = state_.displacement;
     state_.force = model.externalForce(0);
     totalForce_ = force({state_.displacement, 0});
+    SparseMatrix atRest;
+    model_.internalForce(state_.displacement, atRest);
+    solver_ = makeLinearSolver(atRest, model.fixed(), MatrixKind::general);
 }
 
 VectorXd ArcLength::force(const Iterate& at) const {
@@ -52,13 +55,13 @@ void ArcLength::factorise(const Iterate& at) {
     SparseMatrix tangent;
     model_.internalForce(at.displacement, tangent);
     model_.subtractFollowerDerivative(at.displacement, at.time, tangent);
-    solver_.factorise(tangent);
+    solver_->factorise(tangent);
 }
 
 ArcLength::Iterate ArcLength::predict() {
     const Iterate start{state_.displacement, state_.time};
     factorise(start);
-    const VectorXd rate = solver_.solve(loadRate(start));
+    const VectorXd rate = solver_->solve(loadRate(start));
     if (!(rate.norm() > 0)) {
         throw SolverError("the loads do not change with time, so there is no path to follow; give "
                           "them a factor t");
@@ -87,8 +90,8 @@ bool ArcLength::correct(Iterate& iterate) {
             return true;
         }
         factorise(iterate);
-        const VectorXd move = solver_.solve(residual);
-        const VectorXd rate = solver_.solve(loadRate(iterate));
+        const VectorXd move = solver_->solve(residual);
+        const VectorXd rate = solver_->solve(loadRate(iterate));
         const double time = -(0.5 * excess + step.dot(move)) / step.dot(rate);
         iterate.displacement += move + time * rate;
         iterate.time += time;

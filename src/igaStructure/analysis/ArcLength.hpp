@@ -1,6 +1,6 @@
 #pragma once
 
-#include "igaStructure/linearAlgebra/SparseLu.hpp"
+#include "igaStructure/linearAlgebra/LinearSolver.hpp"
 #include "igaStructure/model/StructuralModel.hpp"
 #include "igaStructure/timeIntegration/MotionState.hpp"
 #include "igaStructure/timeIntegration/NewtonOptions.hpp"
@@ -52,7 +52,7 @@ class ArcLength {
     double firstStep_;
     double firstLength_ = 0;
     double length_ = 0;
-    SparseLu solver_;
+    std::unique_ptr<LinearSolver> solver_; ///< LU: tangents are indefinite beyond a limit
     MotionState state_;
     Eigen::VectorXd direction_; ///< of the last step
     Eigen::VectorXd totalForce_;

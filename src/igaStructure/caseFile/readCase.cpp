@@ -93,7 +93,8 @@ NewtonOptions readNewton(const CaseSection& file) {
     const std::string kinematics = file.section("model").text("kinematics");
     const bool bendsThinly = kinematics == "shell" || kinematics == "beam";
     return {section.number("tolerance"), section.integer("maximumIterations"),
-            section.has("lineSearch") ? section.yesNo("lineSearch") : !bendsThinly};
+            section.has("lineSearch") ? section.yesNo("lineSearch") : !bendsThinly,
+            section.number("reuseContraction")};
 }
 
 OutputOptions readOutput(const CaseSection& section, const std::string& directory) {

@@ -51,12 +51,14 @@ VectorField vectorField(const CaseSection& section, const std::string& name) {
     return {[f](const geometry::Point& x, double t) {
                 return Eigen::Vector3d(f[0](x, t), f[1](x, t), f[2](x, t));
             },
-            std::any_of(f.begin(), f.end(), [](const Formula& g) { return g.dependsOnTime(); })};
+            std::any_of(f.begin(), f.end(), [](const Formula& g) { return g.dependsOnTime(); }),
+            std::any_of(f.begin(), f.end(), [](const Formula& g) { return g.dependsOnPlace(); })};
 }
 
 ScalarField scalarField(const CaseSection& section, const std::string& name) {
     const Formula f = section.formula(name);
-    return {[f](const geometry::Point& x, double t) { return f(x, t); }, f.dependsOnTime()};
+    return {[f](const geometry::Point& x, double t) { return f(x, t); }, f.dependsOnTime(),
+            f.dependsOnPlace()};
 }
 
 // Reads supports and loads, which name edges, faces and points of the model.
@@ -125,12 +127,12 @@ class Reader {
 
     void readOnFaces(const CaseSection& section, ShellLoads& loads) const {
         requireUsed(section, {"face", "traction", "pressure"}, "a load on faces");
+        if (section.has("pressure")) {
+            loads.pressures.push_back({faces(section), scalarField(section, "pressure")});
+            return;
+        }
         for (const int face : faces(section)) {
-            if (section.has("traction")) {
-                loads.tractions.push_back({face, vectorField(section, "traction")});
-            } else {
-                loads.pressures.push_back({face, scalarField(section, "pressure")});
-            }
+            loads.tractions.push_back({face, vectorField(section, "traction")});
         }
     }
 

@@ -1,61 +1,103 @@
 #include "igaStructure/linearAlgebra/SparseLu.hpp"
 
-#include "common/errors.hpp"
+#include "igaStructure/linearAlgebra/FreePart.hpp"
 
-#include <Eigen/UmfPackSupport>
 #include <fmt/format.h>
+#include <umfpack.h>
+
+#include <cassert>
+#include <limits>
 
 namespace tokay::structure {
 
 struct SparseLu::Implementation {
-    std::vector<int> freeUnknowns;
-    std::vector<int> numbers; ///< of free unknowns, -1 for fixed ones
-    SparseMatrix matrix;      ///< UMFPACK refers to it
-    Eigen::UmfPackLU<SparseMatrix> lu;
-};
+    FreePart part;
+    std::vector<double> values;
+    double control[UMFPACK_CONTROL] = {};
+    double info[UMFPACK_INFO] = {};
+    void* symbolic = nullptr;
+    void* numeric = nullptr;
 
-SparseLu::SparseLu(const std::vector<bool>& fixed)
-    : implementation_(std::make_unique<Implementation>()) {
-    for (std::size_t k = 0; k < fixed.size(); ++k) {
-        implementation_->numbers.push_back(
-            fixed[k] ? -1 : static_cast<int>(implementation_->freeUnknowns.size()));
-        if (!fixed[k]) {
-            implementation_->freeUnknowns.push_back(static_cast<int>(k));
+    Implementation(const SparseMatrix& pattern, const std::vector<bool>& fixed)
+        : part(pattern, fixed, Triangles::both), values(part.nEntries()) {
+        umfpack_di_defaults(control);
+        control[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC; // the sparsity is
+        require(umfpack_di_symbolic(part.size(), part.size(), part.starts().data(),
+                                    part.rows().data(), nullptr, &symbolic, control, info),
+                "analysis");
+    }
+    ~Implementation() {
+        umfpack_di_free_numeric(&numeric);
+        umfpack_di_free_symbolic(&symbolic);
+    }
+    Implementation(const Implementation&) = delete;
+    Implementation& operator=(const Implementation&) = delete;
+
+    void require(int status, const char* doing) const {
+        if (status == UMFPACK_WARNING_singular_matrix) {
+            throw SingularMatrix(fmt::format("the matrix of {} unknowns is singular", part.size()));
+        }
+        if (status == UMFPACK_ERROR_out_of_memory) {
+            throw SolverError(fmt::format("not enough memory for UMFPACK's {} of {} unknowns; use "
+                                          "fewer elements or a lower degree",
+                                          doing, part.size()));
+        }
+        if (status != UMFPACK_OK) {
+            throw SolverError(fmt::format("UMFPACK's {} ended with status {} (matrix of {} "
+                                          "unknowns)",
+                                          doing, status, part.size()));
         }
     }
-}
+};
+
+SparseLu::SparseLu(const SparseMatrix& pattern, const std::vector<bool>& fixed)
+    : implementation_(std::make_unique<Implementation>(pattern, fixed)) {}
 
 SparseLu::SparseLu(SparseLu&&) noexcept = default;
 SparseLu::~SparseLu() = default;
 
-void SparseLu::factorise(const SparseMatrix& full) {
+void SparseLu::factorise(const SparseMatrix& matrix) {
     Implementation& own = *implementation_;
-    std::vector<Eigen::Triplet<double>> entries;
-    for (int column : own.freeUnknowns) {
-        for (SparseMatrix::InnerIterator entry(full, column); entry; ++entry) {
-            if (own.numbers[entry.row()] >= 0) {
-                entries.emplace_back(own.numbers[entry.row()], own.numbers[column], entry.value());
-            }
-        }
-    }
-    const auto n = static_cast<Eigen::Index>(own.freeUnknowns.size());
-    own.matrix.resize(n, n);
-    own.matrix.setFromTriplets(entries.begin(), entries.end());
-    own.lu.compute(own.matrix);
-    if (own.lu.info() != Eigen::Success) {
-        throw SolverError(fmt::format("UMFPACK cannot factor a matrix of {} unknowns (status {}): "
-                                      "it is singular",
-                                      n, own.lu.umfpackFactorizeReturncode()));
+    umfpack_di_free_numeric(&own.numeric);
+    own.part.setScaled(matrix, own.values.data());
+    own.require(umfpack_di_numeric(own.part.starts().data(), own.part.rows().data(),
+                                   own.values.data(), own.symbolic, &own.numeric, own.control,
+                                   own.info),
+                "factorisation");
+    // A singular matrix whose last pivot is rounding error passes as regular.
+    if (own.info[UMFPACK_RCOND] < std::numeric_limits<double>::epsilon()) {
+        umfpack_di_free_numeric(&own.numeric);
+        throw SingularMatrix(fmt::format("the matrix of {} unknowns is singular (smallest over "
+                                         "largest pivot {:.1e})",
+                                         nFree(), own.info[UMFPACK_RCOND]));
     }
 }
 
-Eigen::VectorXd SparseLu::solve(const Eigen::VectorXd& rightHandSide) const {
-    const Implementation& own = *implementation_;
-    const Eigen::VectorXd reduced = rightHandSide(own.freeUnknowns);
-    const Eigen::VectorXd solution = own.lu.solve(reduced);
-    Eigen::VectorXd full = Eigen::VectorXd::Zero(rightHandSide.size());
-    full(own.freeUnknowns) = solution;
-    return full;
+Eigen::VectorXd SparseLu::solve(const Eigen::VectorXd& rightHandSide) {
+    Implementation& own = *implementation_;
+    assert(own.numeric);
+    Eigen::VectorXd b(nFree());
+    Eigen::VectorXd x(nFree());
+    own.part.reduce(rightHandSide, b.data());
+    own.require(umfpack_di_solve(UMFPACK_A, own.part.starts().data(), own.part.rows().data(),
+                                 own.values.data(), x.data(), b.data(), own.numeric, own.control,
+                                 own.info),
+                "solution");
+    return own.part.extend(x.data());
+}
+
+int SparseLu::nFree() const {
+    return implementation_->part.size();
+}
+
+double SparseLu::nFactorEntries() const {
+    const double* info = implementation_->info;
+    return implementation_->numeric ? info[UMFPACK_LNZ] + info[UMFPACK_UNZ]
+                                    : info[UMFPACK_LNZ_ESTIMATE] + info[UMFPACK_UNZ_ESTIMATE];
+}
+
+double SparseLu::bytes() const {
+    return sizeof(double) * nFactorEntries() + implementation_->part.bytes();
 }
 
 } // namespace tokay::structure

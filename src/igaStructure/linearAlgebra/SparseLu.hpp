@@ -1,29 +1,23 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/SparseCore>
-
-#include <memory>
-#include <vector>
+#include "igaStructure/linearAlgebra/LinearSolver.hpp"
 
 namespace tokay::structure {
 
-using SparseMatrix = Eigen::SparseMatrix<double>;
-
-/// LU factorisation (UMFPACK) of a matrix without the rows and columns of fixed
-/// unknowns, for matrices that are indefinite or not symmetric.
-class SparseLu {
+/// LU factorisation (UMFPACK), for matrices that are indefinite or not symmetric.
+class SparseLu : public LinearSolver {
   public:
-    /// @param fixed  unknowns left out
-    explicit SparseLu(const std::vector<bool>& fixed);
+    SparseLu(const SparseMatrix& pattern, const std::vector<bool>& fixed);
     SparseLu(SparseLu&&) noexcept;
-    ~SparseLu();
+    ~SparseLu() override;
 
-    /// @throws SolverError if the matrix is singular
-    void factorise(const SparseMatrix& matrix);
-
-    /// Solution for a right-hand side; fixed unknowns are zero in it.
-    Eigen::VectorXd solve(const Eigen::VectorXd& rightHandSide) const;
+    /// @throws SingularMatrix; SolverError if memory does not suffice
+    void factorise(const SparseMatrix& matrix) override;
+    Eigen::VectorXd solve(const Eigen::VectorXd& rightHandSide) override;
+    int nFree() const override;
+    double nFactorEntries() const override;
+    double bytes() const override;
+    std::string name() const override { return "UMFPACK"; }
 
   private:
     struct Implementation;

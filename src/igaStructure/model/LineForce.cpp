@@ -77,6 +77,11 @@ double LineForce::pressureAt(const LinePoint& point, double time) const {
     return sum;
 }
 
+bool LineForce::hasUniformPressure() const {
+    return std::none_of(loads_.pressures.begin(), loads_.pressures.end(),
+                        [](const Formula& pressure) { return pressure.dependsOnPlace(); });
+}
+
 VectorXd LineForce::followers(double time, const VectorXd& displacement) const {
     VectorXd force = VectorXd::Zero(nUnknowns_);
     for (const EndLoad& load : loads_.ends) {
@@ -128,9 +133,7 @@ Eigen::MatrixXd LineForce::pressureTangent(const LinePoint& point, double pressu
     Eigen::MatrixXd tangent = Eigen::MatrixXd::Zero(2 * n, 2 * n);
     for (int j = 0; j < n; ++j) {
         for (int i = 0; i < n; ++i) {
-            // turned() is antisymmetric, so the symmetric part is that of N_i N_j'.
-            const double part =
-                0.5 * factor * (point.N(0, i) * point.N(1, j) - point.N(1, i) * point.N(0, j));
+            const double part = factor * point.N(0, i) * point.N(1, j);
             tangent(2 * i, 2 * j + 1) = -part;
             tangent(2 * i + 1, 2 * j) = part;
         }

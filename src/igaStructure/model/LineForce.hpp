@@ -21,9 +21,12 @@ class LineForce {
     /// @param displacement  of control points
     Eigen::VectorXd followers(double time, const Eigen::VectorXd& displacement) const;
 
-    /// Calls add(element, matrix of its unknowns) with the
-    /// symmetric part of the derivative of the followers' forces; the rest is a
-    /// pressure's at free ends.
+    bool hasPressure() const { return !loads_.pressures.empty(); }
+    /// Whether all pressures are the same everywhere.
+    bool hasUniformPressure() const;
+
+    /// Calls add(element, matrix of its unknowns) with the derivative of the
+    /// followers' forces.
     template <class Add>
     void visitFollowerTangents(double time, const Eigen::VectorXd& displacement, Add add) const;
 

@@ -196,6 +196,16 @@ void PlaneLine::subtractFollowerDerivative(const VectorXd& displacement, double 
     tangent += frames_.matrix(sum);
 }
 
+bool PlaneLine::hasSymmetricTangent() const {
+    if (!hasFollowers() || !force_.hasPressure()) {
+        return true;
+    }
+    const std::vector<bool>& fixed = frames_.fixed();
+    const std::size_t last = fixed.size() - 2;
+    return force_.hasUniformPressure() && (fixed[0] || fixed[1]) &&
+           (fixed[last] || fixed[last + 1]);
+}
+
 std::vector<std::string> PlaneLine::freeRigidMotions() const {
     return structure::freeRigidMotions(frames_.heldMotions());
 }

@@ -46,6 +46,8 @@ class PlaneLine : public StructuralModel {
                           Eigen::VectorXd& force) const override;
     void subtractFollowerDerivative(const Eigen::VectorXd& displacement, double time,
                                     SparseMatrix& tangent) const override;
+    /// Not so with pressures that vary along the line or end at a free end.
+    bool hasSymmetricTangent() const override;
     const std::vector<bool>& fixed() const override { return frames_.fixed(); }
     std::vector<std::string> freeRigidMotions() const override;
     double size() const override;

@@ -63,9 +63,13 @@ class StructuralModel {
     virtual void addFollowerForce(const Eigen::VectorXd& /*displacement*/, double /*time*/,
                                   Eigen::VectorXd& /*force*/) const {}
 
-    /// Subtracts their derivative, or its symmetric part, from a tangent.
+    /// Subtracts their derivative from a tangent.
     virtual void subtractFollowerDerivative(const Eigen::VectorXd& /*displacement*/,
                                             double /*time*/, SparseMatrix& /*tangent*/) const {}
+
+    /// Whether the tangent, derivatives of follower loads included, is symmetric but
+    /// for rows and columns of fixed unknowns.
+    virtual bool hasSymmetricTangent() const { return true; }
 
     /// Unknowns that are zero.
     virtual const std::vector<bool>& fixed() const = 0;

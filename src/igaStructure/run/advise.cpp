@@ -44,7 +44,7 @@ double staticEstimate(const Case& structureCase, StructuralModel& model) {
     model.addFollowerForce(VectorXd::Zero(model.nUnknowns()), time, force);
     SparseMatrix stiffness;
     model.internalForce(VectorXd::Zero(model.nUnknowns()), stiffness);
-    SparseLu solver(model.fixed());
+    SparseLu solver(stiffness, model.fixed());
     solver.factorise(stiffness);
     return solver.solve(force).lpNorm<Eigen::Infinity>();
 }

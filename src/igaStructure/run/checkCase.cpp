@@ -2,6 +2,7 @@
 
 #include "igaStructure/body/makeBody.hpp"
 #include "igaStructure/caseFile/readCoupling.hpp"
+#include "igaStructure/linearAlgebra/SparseCholesky.hpp"
 #include "igaStructure/output/chosenFields.hpp"
 #include "igaStructure/run/Watch.hpp"
 #include "igaStructure/run/advise.hpp"
@@ -57,7 +58,7 @@ std::string checkCase(const Case& structureCase) {
     return describeModel(structureCase, *body) +
            fmt::format("  memory: {:.3g} MB for matrices, {:.3g} million entries in the factor\n",
                        integrator.bytes() / 1e6, integrator.solver().nFactorEntries() / 1e6) +
-           fmt::format("  linear algebra: CHOLMOD on {}\n", blasLibrary()) +
+           fmt::format("  linear algebra: {} on {}\n", integrator.solver().name(), blasLibrary()) +
            describeUse(structureCase) + warnings(structureCase, *body) +
            advise(structureCase, *body);
 }

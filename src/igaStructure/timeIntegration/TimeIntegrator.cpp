@@ -41,7 +41,9 @@ void setFixedToZero(const std::vector<bool>& fixed, VectorXd& vector) {
 TimeIntegrator::TimeIntegrator(StructuralModel& model, const TimeScheme& scheme,
                                const NewtonOptions& newton, double startTime)
     : model_(model), scheme_(scheme), newton_(newton), mass_(model.massMatrix()),
-      solver_(mass_, model.fixed()) {
+      solver_(makeLinearSolver(mass_, model.fixed(),
+                               model.hasSymmetricTangent() ? MatrixKind::positiveDefinite
+                                                           : MatrixKind::general)) {
     state_.time = startTime;
     state_.displacement = VectorXd::Zero(model.nUnknowns());
     state_.velocity = state_.displacement;
@@ -61,9 +63,9 @@ TimeIntegrator::TimeIntegrator(StructuralModel& model, const TimeScheme& scheme,
 }
 
 void TimeIntegrator::setInitialAcceleration() {
-    solver_.factorise(mass_);
+    solver_->factorise(mass_);
     ++nFactorisations_;
-    state_.acceleration = solver_.solve(state_.force + followerForce_);
+    state_.acceleration = solver_->solve(state_.force + followerForce_);
 }
 
 void TimeIntegrator::beginTimeStep(double time, double deltaT) {
@@ -189,33 +191,51 @@ void TimeIntegrator::factorise() {
             combine(1, tangent_, velocityFactor * model_.stiffnessDamping(), stiffness_, tangent_);
         }
     }
+    factoredDeltaT_ = 0;
+    tangentServes_ = false;
     try {
-        solver_.factorise(tangent_);
+        solver_->factorise(tangent_);
     } catch (const NotPositiveDefinite& error) {
         throw SolverError(fmt::format(
             "time {:.6g} s: {} at control point {}, component {}: the structure has no stiffness "
             "or buckles there{}",
             time_, error.what(), error.unknown / model_.nComponents(),
             error.unknown % model_.nComponents(), freeMotionsHint()));
+    } catch (const SingularMatrix& error) {
+        throw SolverError(fmt::format("time {:.6g} s: {}: the structure has no stiffness in some "
+                                      "direction, or buckles{}",
+                                      time_, error.what(), freeMotionsHint()));
     }
     ++nFactorisations_;
+    factoredDeltaT_ = deltaT_;
+}
+
+bool TimeIntegrator::isFactoredForStep() const {
+    // Times of the fluid come with rounding errors, which are no new time step.
+    return factoredDeltaT_ > 0 &&
+           (!scheme_.dynamic || std::abs(deltaT_ - factoredDeltaT_) <= 1e-12 * deltaT_);
 }
 
 void TimeIntegrator::solveLinear() {
-    // Times of the fluid come with rounding errors, which are no new time step.
-    if (std::abs(deltaT_ - factoredDeltaT_) > 1e-12 * deltaT_) {
+    if (!isFactoredForStep()) {
         tangent_ = stiffness_;
         factorise();
-        factoredDeltaT_ = deltaT_;
     }
     // From the old state: the solution must not depend on earlier solves.
-    displacement_ = state_.displacement + solver_.solve(balance(state_.displacement).residual);
+    displacement_ = state_.displacement + solver_->solve(balance(state_.displacement).residual);
     const Balance end = balance(displacement_);
     residuals_.push_back(end.residual.norm() / end.scale);
     nIterations_ = 1;
     if (!displacement_.allFinite()) {
         throwNotConverged("the solution is not finite");
     }
+}
+
+void TimeIntegrator::renewTangent() {
+    const VectorXd middle = atAlphaF(state_.displacement, displacement_);
+    model_.internalForce(middle, tangent_);
+    model_.subtractFollowerDerivative(middle, middleTime(), tangent_);
+    factorise();
 }
 
 void TimeIntegrator::solveNonlinear() {
@@ -229,11 +249,19 @@ void TimeIntegrator::solveNonlinear() {
         if (residuals_.back() <= newton_.tolerance || current.residual.norm() <= current.rounding) {
             return;
         }
-        const VectorXd middle = atAlphaF(state_.displacement, displacement_);
-        model_.internalForce(middle, tangent_);
-        model_.subtractFollowerDerivative(middle, middleTime(), tangent_);
-        factorise();
-        current = update(solver_.solve(current.residual), current);
+        const bool isKept = tangentServes_ && isFactoredForStep();
+        if (!isKept) {
+            renewTangent();
+        }
+        const VectorXd before = displacement_;
+        Balance next = update(solver_->solve(current.residual), current);
+        const double contraction = next.residual.norm() / current.residual.norm();
+        tangentServes_ = contraction <= newton_.reuseContraction;
+        if (isKept && !(contraction < 1)) {
+            displacement_ = before; // once more, with a new tangent
+            continue;
+        }
+        current = std::move(next);
     }
     throwNotConverged("Newton's method did not converge");
 }
@@ -286,7 +314,7 @@ void TimeIntegrator::updateEnergies(const MotionState& next) {
 double TimeIntegrator::bytes() const {
     constexpr double perEntry = sizeof(double) + sizeof(int);
     const double nMatrices = 3;
-    return solver_.bytes() + nMatrices * perEntry * static_cast<double>(mass_.nonZeros());
+    return solver_->bytes() + nMatrices * perEntry * static_cast<double>(mass_.nonZeros());
 }
 
 } // namespace tokay::structure

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "igaStructure/linearAlgebra/SparseCholesky.hpp"
+#include "igaStructure/linearAlgebra/LinearSolver.hpp"
 #include "igaStructure/model/StructuralModel.hpp"
 #include "igaStructure/timeIntegration/Energies.hpp"
 #include "igaStructure/timeIntegration/MotionState.hpp"
@@ -17,7 +17,8 @@ namespace tokay::structure {
 /// with another interface force, before it is accepted.
 ///
 /// A linear structure is factored once for each new size of the time step; a
-/// nonlinear one in every Newton iteration.
+/// nonlinear one in every Newton iteration, or when the factored tangent no longer
+/// serves (NewtonOptions).
 class TimeIntegrator {
   public:
     /// Starts at rest, undeformed; the acceleration at the start balances the
@@ -58,7 +59,7 @@ class TimeIntegrator {
     int nFactorisations() const { return nFactorisations_; }
     /// [bytes]
     double bytes() const;
-    const SparseCholesky& solver() const { return solver_; }
+    const LinearSolver& solver() const { return *solver_; }
 
   private:
     // Balance of forces for a displacement at the end of the step.
@@ -76,6 +77,8 @@ class TimeIntegrator {
     double middleTime() const;
     Eigen::VectorXd followerForce(const Eigen::VectorXd& displacement, double time) const;
     Balance balance(const Eigen::VectorXd& displacement) const;
+    bool isFactoredForStep() const;
+    void renewTangent();
     void factorise();
     void setInitialAcceleration();
     void solveLinear();
@@ -91,7 +94,7 @@ class TimeIntegrator {
     SparseMatrix mass_;
     SparseMatrix stiffness_; ///< at rest: linear structures, stiffness damping
     SparseMatrix tangent_;   ///< of the internal force, then of the whole balance
-    SparseCholesky solver_;
+    std::unique_ptr<LinearSolver> solver_;
     double internalRounding_; ///< rounding error of internal forces, per displacement [N/m]
     double inertiaRounding_;  ///< the same of inertia, per acceleration [N s^2/m]
 
@@ -101,7 +104,8 @@ class TimeIntegrator {
 
     double time_ = 0;
     double deltaT_ = 0;
-    double factoredDeltaT_ = 0;
+    double factoredDeltaT_ = 0;    ///< 0: the factorisation is none of a step
+    bool tangentServes_ = false;   ///< the last iteration contracted enough
     Eigen::VectorXd force_;        ///< at the end of the step
     Eigen::VectorXd displacement_; ///< latest iterate at the end of the step
 

@@ -18,20 +18,33 @@ class FollowerLoads {
 
     void addForce(const Eigen::VectorXd& displacement, double time, Eigen::VectorXd& force) const;
 
-    /// Subtracts the symmetric part of the force's derivative from the values of a
-    /// matrix made by the pattern. The part left out is that of the loaded area's
-    /// rim, zero where the rim is held.
+    /// Subtracts the force's derivative, which need not be symmetric, from the values
+    /// of a matrix made by the pattern.
     void subtractDerivative(const Eigen::VectorXd& displacement, double time,
                             const NodePattern& pattern, double* values) const;
 
   private:
-    double pressureAt(const ShellElement& element, double time) const;
-
-    std::vector<ShellLoads::Pressure> pressures_;
+    enum class Wanted { force, derivative };
+    /// On some nodes, three components each.
+    struct Answer {
+        Eigen::VectorXd force;
+        Eigen::MatrixXd derivative;
+    };
     struct Moment {
         ScalarField moment;
         std::vector<EdgePoint> points;
     };
+    /// Calls use(nodes, answer) for each loaded element and point of an edge.
+    template <class Use>
+    void forEachAnswer(const Eigen::VectorXd& displacement, double time, Wanted wanted,
+                       Use use) const;
+    double pressureAt(const ShellElement& element, double time) const;
+    Answer pressureOn(ShellElement& element, const Eigen::VectorXd& displacement, double time,
+                      Wanted wanted) const;
+    static Answer momentAt(const EdgePoint& point, double moment,
+                           const Eigen::VectorXd& displacement, Wanted wanted);
+
+    std::vector<ShellLoads::Pressure> pressures_;
     std::vector<Moment> moments_;
     const ShellPatches& patches_;
     const ElementSweep& sweep_;

@@ -4,6 +4,7 @@
 #include "igaStructure/model/shell/ElementTangent.hpp"
 #include "igaStructure/model/shell/MembraneSection.hpp"
 #include "igaStructure/model/shell/NeoHookeanSection.hpp"
+#include "igaStructure/model/shell/followerPotential.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -54,7 +55,8 @@ struct Shell::Totals {
 };
 
 Shell::Shell(ShellDescription description)
-    : description_(std::move(description)), nodes_(description_.model) {
+    : description_(std::move(description)), nodes_(description_.model),
+      hasSymmetricTangent_(isLinear() || followersHavePotential(description_)) {
     if (description_.thickness.size() != description_.model.faces().size()) {
         throw InputError(fmt::format("there are {} thicknesses for {} faces: give each face one",
                                      description_.thickness.size(),

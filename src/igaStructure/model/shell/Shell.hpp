@@ -50,6 +50,7 @@ class Shell : public StructuralModel {
                           Eigen::VectorXd& force) const override;
     void subtractFollowerDerivative(const Eigen::VectorXd& displacement, double time,
                                     SparseMatrix& tangent) const override;
+    bool hasSymmetricTangent() const override { return hasSymmetricTangent_; }
     const std::vector<bool>& fixed() const override { return constraints_.fixed; }
     std::vector<std::string> freeRigidMotions() const override;
     double size() const override { return description_.model.size(); }
@@ -98,6 +99,7 @@ class Shell : public StructuralModel {
     std::unique_ptr<DeadLoads> deadLoads_;
     std::unique_ptr<FollowerLoads> followerLoads_;
     Eigen::VectorXd externalForce_;
+    bool hasSymmetricTangent_;
     int nThreads_ = 0;
 };
 

@@ -31,9 +31,10 @@ template <class Value>
 struct Field {
     std::function<Value(const geometry::Point&, double)> value;
     bool dependsOnTime = false;
+    bool dependsOnPlace = false;
 
     static Field constant(const Value& value) {
-        return {[value](const geometry::Point&, double) { return value; }, false};
+        return {[value](const geometry::Point&, double) { return value; }};
     }
 };
 using VectorField = Field<Eigen::Vector3d>;
@@ -64,7 +65,7 @@ struct ShellLoads {
         VectorField traction; ///< per reference area [Pa]
     };
     struct Pressure {
-        int face;
+        std::vector<int> faces;
         ScalarField pressure; ///< along a1 x a2, on the current area [Pa]
     };
     struct EdgeForce {

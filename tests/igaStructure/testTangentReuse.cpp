@@ -1,0 +1,95 @@
+#include "common/errors.hpp"
+#include "exampleLine.hpp"
+#include "exampleSolid.hpp"
+
+#include <gtest/gtest.h>
+
+using namespace tokay;
+using namespace tokay::structure;
+using Eigen::VectorXd;
+
+namespace {
+
+NewtonOptions reusing(double contraction) {
+    NewtonOptions newton;
+    newton.reuseContraction = contraction;
+    return newton;
+}
+
+// Forced vibration of a solid, each step solved for several forces as in a coupled run.
+struct Vibration {
+    VectorXd end;
+    int nFactorisations;
+    int nIterations = 0;
+};
+
+Vibration vibrate(const NewtonOptions& newton, double amplitude) {
+    PlaneSolid solid = makeExample({Kinematics::planeStrain, Strains::nonlinear, false});
+    TimeIntegrator integrator(solid, TimeScheme::generalisedAlpha(0.8), newton, 0);
+    Vibration vibration{{}, -integrator.nFactorisations()};
+    VectorXd force = VectorXd::Zero(solid.nUnknowns());
+    for (int step = 1; step <= 20; ++step) {
+        integrator.beginTimeStep(0.01 * step, 0.01);
+        for (const double share : {0.8, 1.1, 1.0}) {
+            force[solid.nUnknowns() - 2] = share * amplitude * std::sin(10 * 0.01 * step);
+            integrator.solve(force);
+            vibration.nIterations += integrator.nIterations();
+        }
+        integrator.acceptTimeStep();
+    }
+    vibration.end = integrator.state().displacement;
+    vibration.nFactorisations += integrator.nFactorisations();
+    return vibration;
+}
+
+} // namespace
+
+TEST(TangentReuse, solution_is_the_same_with_fewer_factorisations) {
+    const Vibration expected = vibrate(reusing(0), 300);
+    EXPECT_EQ(expected.nFactorisations, expected.nIterations);
+    for (const double contraction : {0.1, 0.5}) {
+        const Vibration reused = vibrate(reusing(contraction), 300);
+        // Newton's tolerance is 1e-8 of the forces.
+        EXPECT_LT((reused.end - expected.end).norm(), 1e-6 * expected.end.norm());
+        EXPECT_LT(reused.nFactorisations, expected.nFactorisations / 3) << contraction;
+    }
+}
+
+TEST(TangentReuse, new_size_of_the_time_step_takes_a_new_tangent) {
+    PlaneSolid solid = makeExample({Kinematics::planeStrain, Strains::nonlinear, false});
+    TimeIntegrator integrator(solid, TimeScheme::generalisedAlpha(0.8), reusing(0.5), 0);
+    VectorXd force = VectorXd::Zero(solid.nUnknowns());
+    double time = 0;
+    std::vector<int> counts;
+    for (const double deltaT : {0.01, 0.01, 0.001}) {
+        force[solid.nUnknowns() - 2] += 1e-3; // so little that one tangent would do for all
+        integrator.beginTimeStep(time += deltaT, deltaT);
+        integrator.solve(force);
+        integrator.acceptTimeStep();
+        counts.push_back(integrator.nFactorisations());
+    }
+    EXPECT_EQ(counts[1], counts[0]);
+    EXPECT_EQ(counts[2], counts[1] + 1);
+}
+
+TEST(TangentReuse, tangent_that_no_longer_serves_is_replaced) {
+    // A beam between two hinges is soft at rest and stiff once it is stretched: the old
+    // tangent would move it by far too much.
+    ExampleLine kind;
+    kind.supports.push_back({LineEnd::end, true, true, false});
+    kind.loads.tractions.push_back({Formula("0", ""), Formula("t < 1.5 ? -0.001*t : -100", "")});
+    PlaneLine line = kind.build();
+    NewtonOptions newton = reusing(0.5);
+    newton.maximumIterations = 60;
+    TimeIntegrator integrator(line, TimeScheme::quasiStatic(), newton, 0);
+    for (int step = 1; step <= 2; ++step) {
+        integrator.beginTimeStep(step, 1);
+        integrator.solve();
+        integrator.acceptTimeStep();
+    }
+    TimeIntegrator fresh(line, TimeScheme::quasiStatic(), NewtonOptions{1e-10, 60, true}, 0);
+    fresh.beginTimeStep(2, 2);
+    const VectorXd expected = fresh.solve();
+    EXPECT_LT((integrator.state().displacement - expected).norm(), 1e-6 * expected.norm());
+    EXPECT_GE(integrator.nFactorisations(), 3); // at rest, and for the stretched beam
+}
