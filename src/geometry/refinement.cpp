@@ -20,8 +20,7 @@ NurbsCurve refined(const NurbsCurve& curve, const Refinement& refinement) {
     return NurbsCurve(fine.knots, std::move(points), std::move(weights));
 }
 
-/// A surface is a spline in eta whose rows are whole lines of control points,
-/// and a spline in xi once those lines are turned.
+/// The net of control points with its two blocks of directions exchanged.
 RowMatrix turned(const RowMatrix& net, int nLines, int nColumns) {
     const int nComponents = static_cast<int>(net.size()) / (nLines * nColumns);
     RowMatrix result(nColumns, nLines * nComponents);
@@ -32,22 +31,46 @@ RowMatrix turned(const RowMatrix& net, int nLines, int nColumns) {
     return result;
 }
 
+struct RefinedNet {
+    std::vector<KnotVector> directions;
+    Points points;
+    Eigen::VectorXd weights;
+};
+
+/// A tensor product is a spline in its last direction, whose rows are whole
+/// surfaces or lines of control points; turned, it is one in the last but one.
+RefinedNet refined(std::vector<KnotVector> directions, const Points& controlPoints,
+                   const Eigen::VectorXd& weights, const std::vector<Refinement>& refinements) {
+    RowMatrix net = homogeneous(controlPoints, weights);
+    const auto nComponents = static_cast<int>(net.cols());
+    auto nPoints = static_cast<int>(net.rows());
+    for (std::size_t d = directions.size(); d-- > 0;) {
+        const int nLines = directions[d].nBasis(), nColumns = nPoints / nLines;
+        const RowMatrix lines =
+            Eigen::Map<const RowMatrix>(net.data(), nLines, nColumns * nComponents);
+        SplineCoefficients fine = refinements[d]({directions[d], lines});
+        directions[d] = std::move(fine.knots);
+        net = turned(fine.rows, directions[d].nBasis(), nColumns);
+        nPoints = directions[d].nBasis() * nColumns;
+    }
+    auto [points, fineWeights] =
+        dehomogenised(Eigen::Map<const RowMatrix>(net.data(), nPoints, nComponents));
+    return {std::move(directions), std::move(points), std::move(fineWeights)};
+}
+
 NurbsSurface refined(const NurbsSurface& surface, const Refinement& refinementU,
                      const Refinement& refinementV) {
-    const RowMatrix points = homogeneous(surface.controlPoints(), surface.weights());
-    const int nComponents = static_cast<int>(points.cols());
-    const int nU = surface.u().nBasis(), nV = surface.v().nBasis();
-    const RowMatrix net = Eigen::Map<const RowMatrix>(points.data(), nV, nU * nComponents);
+    RefinedNet fine = refined({surface.u(), surface.v()}, surface.controlPoints(),
+                              surface.weights(), {refinementU, refinementV});
+    return NurbsSurface(fine.directions[0], fine.directions[1], std::move(fine.points),
+                        std::move(fine.weights));
+}
 
-    const SplineCoefficients fineV = refinementV({surface.v(), net});
-    const int nFineV = fineV.knots.nBasis();
-    const SplineCoefficients fineU = refinementU({surface.u(), turned(fineV.rows, nFineV, nU)});
-    const int nFineU = fineU.knots.nBasis();
-    const RowMatrix fineNet = turned(fineU.rows, nFineU, nFineV);
-    const RowMatrix rows =
-        Eigen::Map<const RowMatrix>(fineNet.data(), nFineU * nFineV, nComponents);
-    auto [finePoints, fineWeights] = dehomogenised(rows);
-    return NurbsSurface(fineU.knots, fineV.knots, std::move(finePoints), std::move(fineWeights));
+NurbsVolume refined(const NurbsVolume& volume, const std::vector<Refinement>& refinements) {
+    RefinedNet fine = refined({volume.u(), volume.v(), volume.w()}, volume.controlPoints(),
+                              volume.weights(), refinements);
+    return NurbsVolume(fine.directions[0], fine.directions[1], fine.directions[2],
+                       std::move(fine.points), std::move(fine.weights));
 }
 
 Refinement insertion(const std::vector<double>& knots) {
@@ -128,6 +151,23 @@ NurbsSurface refine(const NurbsSurface& surface, int degreeU, int degreeV, int n
                     int nDivisionsV) {
     return refined(surface, kRefinement(surface.u(), degreeU, nDivisionsU),
                    kRefinement(surface.v(), degreeV, nDivisionsV));
+}
+
+NurbsVolume insertKnots(const NurbsVolume& volume,
+                        const std::array<std::vector<double>, 3>& knots) {
+    return refined(volume, {insertion(knots[0]), insertion(knots[1]), insertion(knots[2])});
+}
+
+NurbsVolume elevateDegree(const NurbsVolume& volume, const std::array<int, 3>& by) {
+    return refined(volume, {elevation(by[0]), elevation(by[1]), elevation(by[2])});
+}
+
+NurbsVolume refine(const NurbsVolume& volume, const std::array<int, 3>& degrees,
+                   const std::array<int, 3>& nDivisions) {
+    std::vector<Refinement> refinements;
+    for (int axis = 0; axis < 3; ++axis)
+        refinements.push_back(kRefinement(volume.direction(axis), degrees[axis], nDivisions[axis]));
+    return refined(volume, refinements);
 }
 
 } // namespace tokay::geometry

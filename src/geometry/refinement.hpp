@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/NurbsSurface.hpp"
+#include "geometry/NurbsVolume.hpp"
 
 namespace tokay::geometry {
 
@@ -40,5 +40,13 @@ NurbsSurface elevateDegree(const NurbsSurface& surface, int byU, int byV);
 /// primitives make them, gets nDivisionsU x nDivisionsV knot spans.
 NurbsSurface refine(const NurbsSurface& surface, int degreeU, int degreeV, int nDivisionsU,
                     int nDivisionsV);
+
+NurbsVolume insertKnots(const NurbsVolume& volume, const std::array<std::vector<double>, 3>& knots);
+
+NurbsVolume elevateDegree(const NurbsVolume& volume, const std::array<int, 3>& by);
+
+/// As for the curve, in all three directions.
+NurbsVolume refine(const NurbsVolume& volume, const std::array<int, 3>& degrees,
+                   const std::array<int, 3>& nDivisions);
 
 } // namespace tokay::geometry

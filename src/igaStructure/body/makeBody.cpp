@@ -4,6 +4,7 @@
 #include "igaStructure/body/LineBody.hpp"
 #include "igaStructure/body/PlaneBody.hpp"
 #include "igaStructure/body/ShellBody.hpp"
+#include "igaStructure/body/SolidBody.hpp"
 
 namespace tokay::structure {
 
@@ -22,6 +23,10 @@ std::unique_ptr<Body> make(const LineCase& line) {
 
 std::unique_ptr<Body> make(const ShellDescription& shell) {
     return std::make_unique<ShellBody>(shell);
+}
+
+std::unique_ptr<Body> make(const SolidDescription& solid) {
+    return std::make_unique<SolidBody>(solid);
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "igaStructure/caseFile/OutputOptions.hpp"
 #include "igaStructure/caseFile/PlaneSolidCase.hpp"
 #include "igaStructure/model/shell/ShellDescription.hpp"
+#include "igaStructure/model/solid/SolidDescription.hpp"
 #include "igaStructure/timeIntegration/NewtonOptions.hpp"
 #include "igaStructure/timeIntegration/TimeScheme.hpp"
 
@@ -25,7 +26,7 @@ struct TimeSteps {
 };
 
 /// Geometry, model, material, supports and loads of one of the kinematics.
-using StructureCase = std::variant<PlaneSolidCase, LineCase, ShellDescription>;
+using StructureCase = std::variant<PlaneSolidCase, LineCase, ShellDescription, SolidDescription>;
 
 /// All that a case file says, checked and with its defaults.
 struct Case {

@@ -10,7 +10,7 @@ using namespace casePresence;
 
 namespace {
 
-constexpr auto edges = "left right bottom top";
+constexpr auto faces = "left right bottom top back front";
 
 const coupling::CouplingOptions coupled;
 
@@ -26,12 +26,12 @@ const std::vector<CaseEntry>& couplingEntries() {
     // path, kind, presence, default, unit, allowed, count, meaning
     {"coupling", Kind::map, optional, "", "", "", 0,
      "Coupling to a fluid; not looked at in a run alone."},
-    {"coupling.interface", Kind::words, optional, "", "", edges, 0,
-     "Wet edges of a plane solid; where two of them meet, a point belongs to the one named first."},
+    {"coupling.interface", Kind::words, optional, "", "", faces, 0,
+     "Wet edges of a plane solid, faces of a solid; where two of them meet, a point belongs to the one named first."},
     {"coupling.mapping", Kind::map, defaulted, "{}", "", "", 0,
      "Transfer between the fluid's points and faces and the structure."},
     {"coupling.mapping.type", Kind::word, optional, "", "", "nearestElement offset", 0,
-     "Given by the kinematics. nearestElement: displacement of the spline at the closest point; forces by the transpose, at face centres (plane solids). offset: points move with the section at which they lie, forces by the transpose at the current state (thin bodies)."},
+     "Given by the kinematics. nearestElement: displacement of the spline at the closest point; forces by the transpose, at face centres (plane solids, solids). offset: points move with the section at which they lie, forces by the transpose at the current state (thin bodies)."},
     {"coupling.mapping.gapLimit", Kind::number, optional, "", "", "(0, inf)", 0,
      "Largest distance of a fluid point from the structure, relative to the interface's extent; beyond it the run does not start. 0.01 if not given; 0.1 from the axis or middle surface of a thin body."},
     {"coupling.predictor", Kind::word, defaulted, "linear", "", "constant linear quadratic", 0,

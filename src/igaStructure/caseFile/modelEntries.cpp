@@ -6,6 +6,7 @@ using namespace casePresence;
 
 namespace {
 constexpr auto edges = "left right bottom top";
+constexpr auto faces = "left right bottom top back front";
 } // namespace
 
 // clang-format off
@@ -14,12 +15,12 @@ const std::vector<CaseEntry>& modelEntries() {
     // path, kind, presence, default, unit, allowed, count, meaning
     {"model", Kind::map, required, "", "", "", 0,
      "The mechanical model."},
-    {"model.kinematics", Kind::word, required, "", "", "planeStrain planeStress beam cable shell membrane", 0,
-     "planeStrain: a slice of a long body, forces per unit depth. planeStress: a thin plate in its plane. beam: Euler-Bernoulli beam in the plane, without rotational unknowns. cable: a beam that does not bend. shell: Kirchhoff-Love shell in space, without rotational unknowns. membrane: a shell that does not bend."},
+    {"model.kinematics", Kind::word, required, "", "", "planeStrain planeStress beam cable shell membrane solid", 0,
+     "planeStrain: a slice of a long body, forces per unit depth. planeStress: a thin plate in its plane. beam: Euler-Bernoulli beam in the plane, without rotational unknowns. cable: a beam that does not bend. shell: Kirchhoff-Love shell in space, without rotational unknowns. membrane: a shell that does not bend. solid: a volume in space."},
     {"model.strains", Kind::word, required, "", "", "linear nonlinear", 0,
      "linear: small strains and rotations. nonlinear: Green-Lagrange strains, any rotation (total Lagrangian)."},
     {"model.thickness", Kind::number, optional, "", "m", "(0, inf)", 0,
-     "Of the plate with planeStress, of the beam or cable in its plane, of the shell or membrane; not allowed with planeStrain."},
+     "Of the plate with planeStress, of the beam or cable in its plane, of the shell or membrane, or of a solid that is given by its middle surface; not allowed with planeStrain."},
     {"model.faceThickness", Kind::mapList, defaulted, "[]", "", "", 0,
      "shell, membrane: faces of another thickness."},
     {"model.faceThickness[].face", Kind::text, required, "", "", "", 0,
@@ -40,7 +41,7 @@ const std::vector<CaseEntry>& modelEntries() {
     {"material", Kind::map, required, "", "", "", 0,
      "The material."},
     {"material.type", Kind::word, required, "", "", "StVenantKirchhoff neoHookean incompressibleNeoHookean", 0,
-     "StVenantKirchhoff: linear relation of second Piola-Kirchhoff stress and Green-Lagrange strain (Hooke's law if strains are linear). Of shells and membranes also neoHookean, and incompressibleNeoHookean (Poisson's ratio is not looked at)."},
+     "StVenantKirchhoff: linear relation of second Piola-Kirchhoff stress and Green-Lagrange strain (Hooke's law if strains are linear). Of shells, membranes and solids also neoHookean; of shells and membranes also incompressibleNeoHookean (Poisson's ratio is not looked at)."},
     {"material.youngsModulus", Kind::number, required, "", "Pa", "(0, inf)", 0,
      "Young's modulus."},
     {"material.poissonsRatio", Kind::number, required, "", "", "(-1, 0.5)", 0,
@@ -58,6 +59,8 @@ const std::vector<CaseEntry>& modelEntries() {
      "Supports; an empty list [] leaves the body free."},
     {"supports[].edge", Kind::word, optional, "", "", edges, 0,
      "Edge of a plane solid, or of a shell or membrane of one patch, that is held."},
+    {"supports[].faces", Kind::words, optional, "", "", faces, 0,
+     "solid: face that is held; of two the edge, of three the corner at which they meet."},
     {"supports[].end", Kind::word, optional, "", "", "start end", 0,
      "End of a beam or cable that is held."},
     {"supports[].brepEdge", Kind::text, optional, "", "", "", 0,
@@ -70,11 +73,11 @@ const std::vector<CaseEntry>& modelEntries() {
      "What is zero there (exactly: the basis interpolates): displacement components; rotation of a beam's end, also while it moves and however much."},
 
     {"loads", Kind::mapList, defaulted, "[]", "", "", 0,
-     "Loads of the structure's own; each item has either edge and traction, or gravity; of a beam or cable: end with force and moment, or traction, or gravity, or pressure."},
+     "Loads of the structure's own; each item has either edge and traction, or gravity; of a beam or cable: end with force and moment, or traction, or gravity, or pressure; of a solid: face with traction or pressure, or gravity."},
     {"loads[].edge", Kind::word, optional, "", "", edges, 0,
      "Edge of a plane solid, or of a shell or membrane of one patch, that is loaded."},
     {"loads[].traction", Kind::formulas, optional, "", "Pa", "", 0,
-     "Force per reference area along x and y, on the edge or all along a beam; of a shell or membrane on its surface, along x, y and z; it keeps its direction as the body deforms."},
+     "Force per reference area along x and y, on the edge or all along a beam; of a shell or membrane on its surface, of a solid on a face, along x, y and z; it keeps its direction as the body deforms."},
     {"loads[].end", Kind::word, optional, "", "", "start end", 0,
      "End of a beam or cable that is loaded."},
     {"loads[].force", Kind::formulas, optional, "", "N", "", 0,
@@ -82,11 +85,11 @@ const std::vector<CaseEntry>& modelEntries() {
     {"loads[].moment", Kind::formula, optional, "", "N m", "", 0,
      "Moment at the end of a beam, counter-clockwise, on the whole width."},
     {"loads[].pressure", Kind::formula, optional, "", "Pa", "", 0,
-     "Pressure on the left side of a beam or cable, seen along it; it stays normal to the axis and acts on the current length (linear strains: on the reference). shell, membrane: along its normal."},
+     "Pressure on the left side of a beam or cable, seen along it; it stays normal to the axis and acts on the current length (linear strains: on the reference). shell, membrane: along its normal. solid: onto the face, on its current area."},
     {"loads[].brepEdge", Kind::text, optional, "", "", "", 0,
      "shell, membrane: name of the edge of the model that is loaded."},
     {"loads[].face", Kind::text, optional, "", "", "", 0,
-     "shell, membrane: name of the face on which traction or pressure act; all if not given."},
+     "Name of the face on which traction or pressure act. shell, membrane: all if not given. solid: left, right, bottom, top, back or front."},
     {"loads[].point", Kind::numbers, optional, "", "m", "", 3,
      "shell, membrane: place of the surface at which the force acts."},
     {"loads[].lineForce", Kind::formulas, optional, "", "N/m", "", 3,
@@ -94,7 +97,7 @@ const std::vector<CaseEntry>& modelEntries() {
     {"loads[].lineMoment", Kind::formula, optional, "", "N", "", 0,
      "shell: moment per reference length about the edge; positive turns the normal outwards across it."},
     {"loads[].gravity", Kind::formulas, optional, "", "m/s^2", "", 0,
-     "Acceleration along x and y (shell, membrane: and z) that acts on the mass."},
+     "Acceleration along x and y (shell, membrane, solid: and z) that acts on the mass."},
     };
     return entries;
 }

@@ -30,16 +30,6 @@ geometry::NurbsSurface readCylinder(const CaseSection& section) {
                                    degree * angles[1]);
 }
 
-geometry::NurbsSurface readShape(const CaseSection& section, const std::string& shape) {
-    try {
-        return shape == "plate"      ? readPlate(section.section(shape))
-               : shape == "cylinder" ? readCylinder(section.section(shape))
-                                     : readUnrefinedSurface(section);
-    } catch (const InputError& error) {
-        throw section.error(shape, error.what());
-    }
-}
-
 // A patch with its edges: a closed one is joined to itself along its seam.
 geometry::BrepModel wholeSurface(const geometry::NurbsSurface& surface) {
     constexpr double sameEdge = 1e-9; // of the size
@@ -52,13 +42,23 @@ geometry::BrepModel readUnrefined(const CaseSection& section, const std::string&
     const std::string shape =
         section.exactlyOne({"rectangle", "plate", "cylinder", "nurbs", "cadJson"});
     if (shape != "cadJson") {
-        return wholeSurface(readShape(section, shape));
+        return wholeSurface(readSpatialSurface(section, shape));
     }
     return geometry::readCadJson((std::filesystem::path(directory) / section.text(shape)).string())
         .model;
 }
 
 } // namespace
+
+geometry::NurbsSurface readSpatialSurface(const CaseSection& section, const std::string& shape) {
+    try {
+        return shape == "plate"      ? readPlate(section.section(shape))
+               : shape == "cylinder" ? readCylinder(section.section(shape))
+                                     : readUnrefinedSurface(section);
+    } catch (const InputError& error) {
+        throw section.error(shape, error.what());
+    }
+}
 
 geometry::BrepModel readBrepModel(const CaseSection& file, const std::string& directory) {
     const geometry::BrepModel model = readUnrefined(file.section("geometry"), directory);

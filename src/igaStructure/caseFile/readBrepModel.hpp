@@ -13,4 +13,8 @@ class CaseSection;
 /// @param directory  of the case file, to which a cad.json file is relative
 geometry::BrepModel readBrepModel(const CaseSection& file, const std::string& directory);
 
+/// The surface that `geometry` gives by the shape, as it is.
+/// @param shape  rectangle, plate, cylinder or nurbs
+geometry::NurbsSurface readSpatialSurface(const CaseSection& geometry, const std::string& shape);
+
 } // namespace tokay::structure

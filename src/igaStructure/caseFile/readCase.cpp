@@ -6,6 +6,7 @@
 #include "igaStructure/caseFile/readLine.hpp"
 #include "igaStructure/caseFile/readPlaneSolid.hpp"
 #include "igaStructure/caseFile/readShell.hpp"
+#include "igaStructure/caseFile/readSolid.hpp"
 #include "igaStructure/caseFile/requireUsed.hpp"
 
 #include <fmt/format.h>
@@ -22,10 +23,13 @@ StructureCase readStructure(const CaseSection& file, const std::string& director
     if (kinematics == "shell" || kinematics == "membrane") {
         return readShell(file, directory);
     }
+    if (kinematics == "solid") {
+        return readSolid(file);
+    }
     const CaseSection material = file.section("material");
     if (material.text("type") != "StVenantKirchhoff") {
-        throw material.error("type", fmt::format("'{}' is a material of shells and membranes, not "
-                                                 "of {}",
+        throw material.error("type", fmt::format("'{}' is a material of shells, membranes and "
+                                                 "solids, not of {}",
                                                  material.text("type"), kinematics));
     }
     if (kinematics == "beam" || kinematics == "cable") {

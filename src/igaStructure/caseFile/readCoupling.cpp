@@ -118,7 +118,7 @@ const std::map<std::string, TransferMethod> transferMethods = {
     {"nearestElement", TransferMethod::nearestElement}, {"offset", TransferMethod::offset}};
 
 bool isThin(const std::string& kinematics) {
-    return kinematics != "planeStrain" && kinematics != "planeStress";
+    return kinematics != "planeStrain" && kinematics != "planeStress" && kinematics != "solid";
 }
 
 void readMapping(const std::string& kinematics, const CaseSection& section, Coupling& coupling) {
@@ -139,8 +139,12 @@ void readMapping(const std::string& kinematics, const CaseSection& section, Coup
                                                      kinematics));
     }
     if (!isThin(kinematics)) {
-        section.require("interface", kinematics + " needs the names of its wet edges");
-        coupling.interface = section.words("interface");
+        const bool isSolid = kinematics == "solid";
+        section.require("interface", fmt::format("{} needs the names of its wet {}", kinematics,
+                                                 isSolid ? "faces" : "edges"));
+        coupling.interface =
+            isSolid ? section.words("interface")
+                    : section.words("interface", {"left", "right", "bottom", "top"}, kinematics);
     }
 }
 

@@ -19,25 +19,6 @@ geometry::NurbsSurface readRectangle(const CaseSection& section) {
     return geometry::rectangle({origin[0], origin[1], 0}, size[0], size[1]);
 }
 
-geometry::Points readControlPoints(const CaseSection& section) {
-    const std::vector<std::vector<double>> rows = section.points("controlPoints");
-    geometry::Points points = geometry::Points::Zero(rows.size(), 3);
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-        for (std::size_t c = 0; c < rows[k].size(); ++c) {
-            points(k, c) = rows[k][c];
-        }
-    }
-    return points;
-}
-
-Eigen::VectorXd readWeights(const CaseSection& section) {
-    if (!section.has("weights")) {
-        return {};
-    }
-    const std::vector<double> given = section.numbers("weights");
-    return Eigen::Map<const Eigen::VectorXd>(given.data(), given.size());
-}
-
 geometry::NurbsSurface readNurbsSurface(const CaseSection& section) {
     const std::vector<int> degree = section.integers("degree", 2);
     section.require("knotsEta", "a surface has them");
@@ -99,6 +80,25 @@ geometry::NurbsCurve refined(const geometry::NurbsCurve& coarse, const CaseSecti
 }
 
 } // namespace
+
+geometry::Points readControlPoints(const CaseSection& section) {
+    const std::vector<std::vector<double>> rows = section.points("controlPoints");
+    geometry::Points points = geometry::Points::Zero(rows.size(), 3);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        for (std::size_t c = 0; c < rows[k].size(); ++c) {
+            points(k, c) = rows[k][c];
+        }
+    }
+    return points;
+}
+
+Eigen::VectorXd readWeights(const CaseSection& section) {
+    if (!section.has("weights")) {
+        return {};
+    }
+    const std::vector<double> given = section.numbers("weights");
+    return Eigen::Map<const Eigen::VectorXd>(given.data(), given.size());
+}
 
 geometry::NurbsCurve readCurve(const CaseSection& file) {
     const CaseSection section = file.section("geometry");

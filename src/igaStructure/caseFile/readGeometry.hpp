@@ -16,4 +16,8 @@ geometry::NurbsCurve readCurve(const CaseSection& file);
 /// The rectangle or NURBS patch that `geometry` names, as it is.
 geometry::NurbsSurface readUnrefinedSurface(const CaseSection& geometry);
 
+/// Of a `nurbs` map: z is 0 if not given; no weights mean polynomial.
+geometry::Points readControlPoints(const CaseSection& nurbs);
+Eigen::VectorXd readWeights(const CaseSection& nurbs);
+
 } // namespace tokay::structure

@@ -3,6 +3,7 @@
 #include "geometry/ModelProjector.hpp"
 #include "igaStructure/caseFile/CaseSection.hpp"
 #include "igaStructure/caseFile/readBrepModel.hpp"
+#include "igaStructure/caseFile/readMaterial.hpp"
 #include "igaStructure/caseFile/requireUsed.hpp"
 
 #include <fmt/format.h>
@@ -17,22 +18,6 @@ std::string kinematicsOf(const CaseSection& file) {
     return file.section("model").text("kinematics");
 }
 
-ShellMaterial readMaterial(const CaseSection& file) {
-    const CaseSection section = file.section("material");
-    const CaseSection damping = section.section("rayleighDamping");
-    ShellMaterial material;
-    material.youngsModulus = section.number("youngsModulus");
-    material.poissonsRatio = section.number("poissonsRatio");
-    material.density = section.number("density");
-    material.massDamping = damping.number("mass");
-    material.stiffnessDamping = damping.number("stiffness");
-    material.law = section.text("type") == "neoHookean" ? MaterialLaw::neoHookean
-                   : section.text("type") == "incompressibleNeoHookean"
-                       ? MaterialLaw::incompressibleNeoHookean
-                       : MaterialLaw::stVenantKirchhoff;
-    return material;
-}
-
 std::vector<double> readThickness(const CaseSection& section, const geometry::BrepModel& model) {
     section.require("thickness", section.text("kinematics") + " needs it");
     std::vector<double> thickness(model.faces().size(), section.number("thickness"));
@@ -44,21 +29,6 @@ std::vector<double> readThickness(const CaseSection& section, const geometry::Br
         }
     }
     return thickness;
-}
-
-VectorField vectorField(const CaseSection& section, const std::string& name) {
-    const std::vector<Formula> f = section.formulas(name, 3);
-    return {[f](const geometry::Point& x, double t) {
-                return Eigen::Vector3d(f[0](x, t), f[1](x, t), f[2](x, t));
-            },
-            std::any_of(f.begin(), f.end(), [](const Formula& g) { return g.dependsOnTime(); }),
-            std::any_of(f.begin(), f.end(), [](const Formula& g) { return g.dependsOnPlace(); })};
-}
-
-ScalarField scalarField(const CaseSection& section, const std::string& name) {
-    const Formula f = section.formula(name);
-    return {[f](const geometry::Point& x, double t) { return f(x, t); }, f.dependsOnTime(),
-            f.dependsOnPlace()};
 }
 
 // Reads supports and loads, which name edges, faces and points of the model.
@@ -112,14 +82,15 @@ class Reader {
         }
         if (section.has("gravity")) {
             requireUsed(section, {"gravity"}, "gravity");
-            loads.gravities.push_back(vectorField(section, "gravity"));
+            loads.gravities.push_back(readVectorField(section, "gravity"));
         } else if (section.has("traction") || section.has("pressure")) {
             readOnFaces(section, loads);
         } else if (section.has("force")) {
             requireUsed(section, {"point", "force"}, "a force");
             section.require("point", "a force acts there");
             const geometry::ModelProjection at = place(section);
-            loads.pointForces.push_back({at.face, {at.xi, at.eta}, vectorField(section, "force")});
+            loads.pointForces.push_back(
+                {at.face, {at.xi, at.eta}, readVectorField(section, "force")});
         } else {
             readOnEdge(section, loads);
         }
@@ -128,11 +99,11 @@ class Reader {
     void readOnFaces(const CaseSection& section, ShellLoads& loads) const {
         requireUsed(section, {"face", "traction", "pressure"}, "a load on faces");
         if (section.has("pressure")) {
-            loads.pressures.push_back({faces(section), scalarField(section, "pressure")});
+            loads.pressures.push_back({faces(section), readScalarField(section, "pressure")});
             return;
         }
         for (const int face : faces(section)) {
-            loads.tractions.push_back({face, vectorField(section, "traction")});
+            loads.tractions.push_back({face, readVectorField(section, "traction")});
         }
     }
 
@@ -140,9 +111,9 @@ class Reader {
         requireUsed(section, {"edge", "brepEdge", "lineForce", "lineMoment"}, "a load on an edge");
         const geometry::BrepTrim trim = trims(section).front();
         if (section.has("lineForce")) {
-            loads.edgeForces.push_back({trim, vectorField(section, "lineForce")});
+            loads.edgeForces.push_back({trim, readVectorField(section, "lineForce")});
         } else {
-            loads.edgeMoments.push_back({trim, scalarField(section, "lineMoment")});
+            loads.edgeMoments.push_back({trim, readScalarField(section, "lineMoment")});
         }
     }
 

@@ -29,7 +29,7 @@ std::vector<Place> gridPoints(const geometry::NurbsSurface& surface, int nU, int
 
 // VTK's number of point (i, j) in a cell: corners, edges, interior.
 // Source: vtkHigherOrderQuadrilateral::PointIndexFromIJK
-int vtkPointNumber(int i, int j, const Eigen::Vector2i& degrees) {
+int vtkPointNumber(int i, int j, const Eigen::Vector3i& degrees) {
     const int p = degrees[0];
     const int q = degrees[1];
     const bool onU = i == 0 || i == p;
@@ -46,18 +46,29 @@ int vtkPointNumber(int i, int j, const Eigen::Vector2i& degrees) {
     return 4 + 2 * (p + q - 2) + (i - 1) + (p - 1) * (j - 1);
 }
 
-// Bernstein coefficients of values at the points of each cell.
+// Bernstein coefficients of values at the points of a cell, xi fastest.
+Eigen::MatrixXd toBernstein(const VtuMesh& mesh, const Eigen::Map<const Eigen::MatrixXd>& grid) {
+    const Eigen::Vector3i n = mesh.degrees.array() + 1;
+    Eigen::MatrixXd result = mesh.toBernsteinXi * grid; // n[0] x (n[1] n[2])
+    for (int k = 0; k < n[2]; ++k) {
+        auto layer = result.middleCols(k * n[1], n[1]);
+        layer = (layer * mesh.toBernsteinEta.transpose()).eval();
+    }
+    const Eigen::Map<Eigen::MatrixXd> columns(result.data(), n[0] * n[1], n[2]);
+    return columns * mesh.toBernsteinZeta.transpose();
+}
+
+// The same of every cell.
 Eigen::MatrixXd toBernstein(const VtuMesh& mesh, const Eigen::MatrixXd& values) {
-    const int p = mesh.degrees[0];
-    const int q = mesh.degrees[1];
+    const Eigen::Vector3i n = mesh.degrees.array() + 1;
     Eigen::MatrixXd result(values.rows(), values.cols());
     for (Eigen::Index c = 0; c < values.rows(); ++c) {
         const Eigen::RowVectorXd row = values.row(c);
         Eigen::RowVectorXd coefficients(row.size());
         for (Eigen::Index cell = 0; cell < row.size(); cell += mesh.cellSize) {
-            const Eigen::Map<const Eigen::MatrixXd> grid(row.data() + cell, p + 1, q + 1);
-            Eigen::Map<Eigen::MatrixXd>(coefficients.data() + cell, p + 1, q + 1) =
-                mesh.toBernsteinXi * grid * mesh.toBernsteinEta.transpose();
+            const Eigen::Map<const Eigen::MatrixXd> grid(row.data() + cell, n[0], n[1] * n[2]);
+            Eigen::Map<Eigen::MatrixXd>(coefficients.data() + cell, n[0] * n[1], n[2]) =
+                toBernstein(mesh, grid);
         }
         result.row(c) = coefficients;
     }
@@ -90,7 +101,7 @@ VtuMesh bezierMesh(const geometry::NurbsSurface& surface, int patch) {
     const int p = surface.u().degree();
     const int q = surface.v().degree();
     mesh.cellType = vtkBezierQuadrilateral;
-    mesh.degrees = {p, q};
+    mesh.degrees = {p, q, 0};
     mesh.cellSize = (p + 1) * (q + 1);
     mesh.points = gridPoints(surface, p, q, patch);
     mesh.toBernsteinXi = bernsteinInverse(p);

@@ -19,11 +19,13 @@ struct VtuMesh {
     /// Bezier cells only: degrees of each cell; weight of each control point;
     /// the rational functions' denominator at each point (empty: polynomial);
     /// and the matrices that turn values at the points of a cell (xi fastest)
-    /// into Bernstein coefficients along xi and along eta.
-    Eigen::Vector2i degrees = {0, 0};
+    /// into Bernstein coefficients along each direction.
+    Eigen::Vector3i degrees = {0, 0, 0};
     Eigen::VectorXd weights;
     Eigen::VectorXd denominators;
-    Eigen::MatrixXd toBernsteinXi, toBernsteinEta;
+    Eigen::MatrixXd toBernsteinXi;
+    Eigen::MatrixXd toBernsteinEta = Eigen::MatrixXd::Ones(1, 1);
+    Eigen::MatrixXd toBernsteinZeta = Eigen::MatrixXd::Ones(1, 1);
 
     /// Sets weights and denominators from the rational functions' denominator.
     void setDenominators(const std::function<double(const Place&)>& denominator);

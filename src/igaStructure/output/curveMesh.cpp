@@ -34,10 +34,9 @@ VtuMesh bezierMesh(const geometry::NurbsCurve& curve) {
     const int p = curve.degree();
     VtuMesh mesh;
     mesh.cellType = vtkBezierCurve;
-    mesh.degrees = {p, 0};
+    mesh.degrees = {p, 0, 0};
     mesh.cellSize = p + 1;
     mesh.toBernsteinXi = bernsteinInverse(p);
-    mesh.toBernsteinEta = Eigen::MatrixXd::Ones(1, 1);
     for (std::size_t span = 0; span + 1 < xi.size(); ++span) {
         const auto first = static_cast<std::int64_t>(mesh.points.size());
         mesh.connectivity.insert(mesh.connectivity.end(), {first, first + p}); // ends first

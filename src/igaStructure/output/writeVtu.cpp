@@ -2,8 +2,6 @@
 
 #include "common/VtuFile.hpp"
 
-#include <algorithm>
-
 namespace tokay::structure {
 
 namespace {
@@ -17,7 +15,7 @@ void addPointField(const std::string& name, const Eigen::MatrixXd& values, VtuFi
 void addBezierData(const VtuMesh& mesh, std::size_t nCells, VtuFile& file) {
     addPointField("RationalWeights", mesh.weights.transpose(), file, "RationalWeights");
     Eigen::MatrixXd degrees(3, nCells);
-    degrees.colwise() = Eigen::Vector3d(mesh.degrees[0], std::max(mesh.degrees[1], 1), 1);
+    degrees.colwise() = mesh.degrees.cwiseMax(1).cast<double>();
     file.addField(VtuFile::On::cells, "HigherOrderDegrees", 3,
                   {degrees.data(), degrees.data() + degrees.size()}, "HigherOrderDegrees");
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "igaStructure/model/RowColours.hpp"
 #include "igaStructure/model/shell/ShellElement.hpp"
 #include "igaStructure/model/shell/ShellPatch.hpp"
 
@@ -31,10 +32,7 @@ class ElementSweep {
         int number;
     };
     std::vector<Row> rows_;
-    std::vector<std::vector<int>> colours_; ///< rows of each
+    RowColours colours_;
 };
-
-/// As many as there are processors, or as OMP_NUM_THREADS says.
-int availableThreads();
 
 } // namespace tokay::structure

@@ -17,12 +17,19 @@ void ElementTangent::start(int nFunctions) {
 }
 
 void ElementTangent::add(const SurfaceFunctions& functions, const ShellHessian& hessian) {
+    const int size = 3 * nVectors_;
+    add(functions.row(1), functions.row(2) - functions.row(1), hessian.topLeftCorner(size, size));
+}
+
+void ElementTangent::add(const double* derivatives, std::ptrdiff_t stride,
+                         const Eigen::Ref<const Eigen::MatrixXd>& hessian) {
     for (int r = 0; r < nVectors_; ++r) {
-        std::copy_n(functions.row(r + 1), nFunctions_, functions_->row(nVectors_ * nPoints_ + r));
+        std::copy_n(derivatives + r * stride, nFunctions_,
+                    functions_->row(nVectors_ * nPoints_ + r));
     }
     const int size = 3 * nVectors_;
     double* place = hessians_.data() + static_cast<std::ptrdiff_t>(size) * size * nPoints_;
-    Eigen::Map<Eigen::MatrixXd>(place, size, size) = hessian.topLeftCorner(size, size);
+    Eigen::Map<Eigen::MatrixXd>(place, size, size) = hessian;
     if (++nPoints_ == most_) {
         multiply();
     }

@@ -3,18 +3,19 @@
 #include "igaStructure/model/shell/SurfaceFunctions.hpp"
 #include "igaStructure/model/shell/shellStrain.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
 namespace tokay::structure {
 
-/// Stiffness of an element, summed over its quadrature points: D^T H D with the
-/// functions' derivatives D and the Hessian H of the energy at each point. A few
-/// points together are one dense product.
+/// Stiffness of an element of a shell or solid, summed over its quadrature points:
+/// D^T H D with the functions' derivatives D and the Hessian H of the energy at each
+/// point. A few points together are one dense product.
 class ElementTangent {
   public:
     /// @param nVectors  2: the energy depends on the base vectors only; 5: on second
-    ///                  derivatives too
+    ///                  derivatives too; 3: on the gradient in space
     explicit ElementTangent(int nVectors) : nVectors_(nVectors) {}
 
     /// Zero, for an element of so many functions.
@@ -22,6 +23,12 @@ class ElementTangent {
 
     /// @param hessian  times quadrature weight and area
     void add(const SurfaceFunctions& functions, const ShellHessian& hessian);
+
+    /// @param derivatives  the first of nVectors rows, a number a function
+    /// @param stride       from row to row
+    /// @param hessian      component d of derivative r is number 3 r + d
+    void add(const double* derivatives, std::ptrdiff_t stride,
+             const Eigen::Ref<const Eigen::MatrixXd>& hessian);
 
     /// Component c of function k is number 3 k + c.
     const Eigen::MatrixXd& finish();

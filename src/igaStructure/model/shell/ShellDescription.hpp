@@ -2,43 +2,16 @@
 
 #include "geometry/BrepModel.hpp"
 #include "geometry/PatchQuadrature.hpp"
+#include "igaStructure/model/ElasticMaterial.hpp"
+#include "igaStructure/model/Field.hpp"
 #include "igaStructure/model/Strains.hpp"
 
 #include <array>
-#include <functional>
 #include <vector>
 
 namespace tokay::structure {
 
-enum class MaterialLaw {
-    stVenantKirchhoff,
-    neoHookean,
-    incompressibleNeoHookean ///< Poisson's ratio is not used
-};
-
-/// Material of a shell or membrane.
-struct ShellMaterial {
-    double youngsModulus = 0;    ///< at small strains [Pa]
-    double poissonsRatio = 0;    ///< at small strains
-    double density = 0;          ///< reference configuration [kg/m^3]
-    double massDamping = 0;      ///< Rayleigh [1/s]
-    double stiffnessDamping = 0; ///< Rayleigh [s]
-    MaterialLaw law = MaterialLaw::stVenantKirchhoff;
-};
-
-/// A vector or number given by place in the reference configuration and time.
-template <class Value>
-struct Field {
-    std::function<Value(const geometry::Point&, double)> value;
-    bool dependsOnTime = false;
-    bool dependsOnPlace = false;
-
-    static Field constant(const Value& value) {
-        return {[value](const geometry::Point&, double) { return value; }};
-    }
-};
-using VectorField = Field<Eigen::Vector3d>;
-using ScalarField = Field<double>;
+using ShellMaterial = ElasticMaterial;
 
 /// An edge that is held.
 struct EdgeSupport {

@@ -115,6 +115,9 @@ void addTilesAnywhere(const Product& product, int nFunctions, int width) {
 void combineTwoAnywhere(const Combination& at) {
     combine<2, 2>(at);
 }
+void combineThreeAnywhere(const Combination& at) {
+    combine<2, 3>(at);
+}
 void combineFiveAnywhere(const Combination& at) {
     combine<2, 5>(at);
 }
@@ -126,6 +129,9 @@ __attribute__((target("avx2,fma"))) void addTilesAvx2(const Product& product, in
 }
 __attribute__((target("avx2,fma"))) void combineTwoAvx2(const Combination& at) {
     combine<4, 2>(at);
+}
+__attribute__((target("avx2,fma"))) void combineThreeAvx2(const Combination& at) {
+    combine<4, 3>(at);
 }
 __attribute__((target("avx2,fma"))) void combineFiveAvx2(const Combination& at) {
     combine<4, 5>(at);
@@ -139,6 +145,7 @@ __attribute__((target("avx512f,avx2,fma"))) void addTilesAvx512(const Product& p
 struct Kernels {
     AddTiles addTiles = addTilesAnywhere;
     Combine combineTwo = combineTwoAnywhere;
+    Combine combineThree = combineThreeAnywhere;
     Combine combineFive = combineFiveAnywhere;
 
     Kernels() {
@@ -146,6 +153,7 @@ struct Kernels {
         if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
             addTiles = __builtin_cpu_supports("avx512f") ? addTilesAvx512 : addTilesAvx2;
             combineTwo = combineTwoAvx2;
+            combineThree = combineThreeAvx2;
             combineFive = combineFiveAvx2;
         }
 #endif
@@ -169,8 +177,10 @@ void PaddedRows::setZero() {
 
 void multiplyHessians(const std::vector<const double*>& hessians, const PaddedRows& functions,
                       int nVectors, int nFunctions, int component, PaddedRows& right) {
-    assert(nVectors == 2 || nVectors == 5);
-    const Combine combine = nVectors == 2 ? kernels().combineTwo : kernels().combineFive;
+    assert(nVectors == 2 || nVectors == 3 || nVectors == 5);
+    const Combine combine = nVectors == 2   ? kernels().combineTwo
+                            : nVectors == 3 ? kernels().combineThree
+                                            : kernels().combineFive;
     for (std::size_t point = 0; point < hessians.size(); ++point) {
         const int row = nVectors * static_cast<int>(point);
         combine({hessians[point], functions.row(row), right.row(row), functions.stride(),

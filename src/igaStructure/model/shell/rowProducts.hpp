@@ -31,7 +31,7 @@ class PaddedRows {
 /// sum over s of H_g(3 r + d, 3 s + c) times derivative s of function k at point g,
 /// for the components c from d on.
 /// @param hessians  3 nVectors square (column-major) of each point
-/// @param nVectors  2 or 5
+/// @param nVectors  2, 3 or 5
 void multiplyHessians(const std::vector<const double*>& hessians, const PaddedRows& functions,
                       int nVectors, int nFunctions, int component, PaddedRows& right);
 

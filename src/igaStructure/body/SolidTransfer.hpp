@@ -1,0 +1,29 @@
+#pragma once
+
+#include "igaStructure/body/InterfaceTransfer.hpp"
+#include "igaStructure/caseFile/Coupling.hpp"
+#include "igaStructure/model/solid/Solid.hpp"
+#include "mapper/NearestElementMapping.hpp"
+#include "mapper/SurfaceInterface.hpp"
+
+namespace tokay::structure {
+
+/// Transfer at the wet sides of a solid: the spline at the closest points.
+class SolidTransfer : public InterfaceTransfer {
+  public:
+    /// @throws InputError if a gap is beyond the limit
+    SolidTransfer(const Solid& solid, const Coupling& coupling, const geometry::Points& points,
+                  const geometry::Points& faceCentres);
+
+    geometry::Points displacements(const Eigen::VectorXd& displacement) const override;
+    Eigen::VectorXd forces(const Eigen::VectorXd& displacement,
+                           const geometry::Points& onFaces) const override;
+    std::string report() const override;
+
+  private:
+    mapper::SurfaceInterface sides_;
+    mapper::NearestElementMapping toPoints_;
+    mapper::NearestElementMapping toFaces_;
+};
+
+} // namespace tokay::structure

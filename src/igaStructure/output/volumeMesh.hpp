@@ -1,0 +1,15 @@
+#pragma once
+
+#include "geometry/NurbsVolume.hpp"
+#include "igaStructure/output/VtuMesh.hpp"
+
+namespace tokay::structure {
+
+/// Each element of the volume cut into subdivision^3 hexahedra; elements do not share
+/// points, so that a field may jump between them.
+VtuMesh hexahedronMesh(const geometry::NurbsVolume& volume, int subdivision);
+
+/// A VTK_BEZIER_HEXAHEDRON for each element, as bezierMesh of a surface.
+VtuMesh bezierMesh(const geometry::NurbsVolume& volume);
+
+} // namespace tokay::structure
