@@ -1,8 +1,9 @@
 // The same flap (0.1 x 1 m, clamped at its foot, nothing moves across its plane)
-// under a uniform dead traction on its side, as beam, shell, planeStrain and solid.
-// Error of the tip against the finest solution of the same theory (beam and shell:
-// the beam; planeStrain and solid: planeStrain), and against plane strain, with
-// unknowns and processor seconds of model and solution.
+// under a uniform dead traction, as beam, shell, planeStrain and solid. Half of the
+// traction acts on either side, so that all theories have it on their axis.
+// Error of the tip against the finest solution of the same theory (planeStrain is
+// that of solid, too), and against plane strain, with unknowns and processor seconds
+// of model and solution.
 #include "common/errors.hpp"
 #include "igaStructure/body/makeBody.hpp"
 #include "igaStructure/caseFile/CaseSection.hpp"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <ctime>
 #include <fstream>
 #include <map>
@@ -84,15 +86,19 @@ std::string actionText(const Flap& flap) {
     }
     if (flap.kinematics == "planeStrain") {
         return fmt::format("supports: [{{edge: bottom, fix: [x, y]}}]\n"
-                           "loads: [{{edge: left, traction: [\"{:g}*t\", 0]}}]\n",
-                           q);
+                           "loads:\n"
+                           "  - {{edge: left, traction: [\"{0:g}*t\", 0]}}\n"
+                           "  - {{edge: right, traction: [\"{0:g}*t\", 0]}}\n",
+                           0.5 * q);
     }
     return fmt::format("supports:\n"
                        "  - {{faces: [bottom], fix: [x, y, z]}}\n"
                        "  - {{faces: [back], fix: [z]}}\n"
                        "  - {{faces: [front], fix: [z]}}\n"
-                       "loads: [{{face: left, traction: [\"{:g}*t\", 0, 0]}}]\n",
-                       q);
+                       "loads:\n"
+                       "  - {{face: left, traction: [\"{0:g}*t\", 0, 0]}}\n"
+                       "  - {{face: right, traction: [\"{0:g}*t\", 0, 0]}}\n",
+                       0.5 * q);
 }
 
 std::string caseText(const Flap& flap) {
@@ -124,9 +130,9 @@ double tipOf(const Body& body, const Eigen::VectorXd& displacement) {
     return body.displacements(displacement, {tip.place})(0, 0);
 }
 
-Price solve(const Flap& flap) {
-    const std::clock_t start = std::clock();
+Price solveOnce(const Flap& flap) {
     const Case structureCase = readCase(CaseSection::fromText(caseText(flap), "flap"), "flap");
+    const std::clock_t start = std::clock();
     const std::unique_ptr<Body> body = makeBody(structureCase);
     StructuralModel& model = body->model();
     TimeIntegrator integrator(model, structureCase.timeScheme, structureCase.newton, 0);
@@ -140,6 +146,15 @@ Price solve(const Flap& flap) {
     price.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     price.nUnknowns = std::count(model.fixed().begin(), model.fixed().end(), false);
     price.tip = tipOf(*body, integrator.state().displacement);
+    return price;
+}
+
+// Short ones are solved several times, the shortest time counts.
+Price solve(const Flap& flap) {
+    Price price = solveOnce(flap);
+    for (int k = 0; k < 4 && price.seconds < 0.1; ++k) {
+        price.seconds = std::min(price.seconds, solveOnce(flap).seconds);
+    }
     return price;
 }
 
@@ -169,18 +184,21 @@ std::vector<Price> pricesOf(const std::string& strains, bool isQuick) {
             }
         }
     }
-    const double thin = solve({"beam", strains, 5, 64}).tip;
-    const double thick = solve({"planeStrain", strains, 5, isQuick ? 64 : 96}).tip;
+    const double beam = solve({"beam", strains, 5, 64}).tip;
+    const double shell = solve({"shell", strains, 5, 64}).tip;
+    const double plane = solve({"planeStrain", strains, 5, isQuick ? 64 : 128}).tip;
     for (Price& price : prices) {
-        const bool isThin = price.flap.kinematics == "beam" || price.flap.kinematics == "shell";
-        price.error = 100 * std::abs(price.tip / (isThin ? thin : thick) - 1);
-        price.modelError = 100 * std::abs(price.tip / thick - 1);
+        const double same = price.flap.kinematics == "beam"    ? beam
+                            : price.flap.kinematics == "shell" ? shell
+                                                               : plane;
+        price.error = 100 * std::abs(price.tip / same - 1);
+        price.modelError = 100 * std::abs(price.tip / plane - 1);
     }
     return prices;
 }
 
 std::string text(const Price& price) {
-    return fmt::format("{},{},{},{},{},{:.4f},{:.8f},{:.2e},{:.3f}\n", price.flap.kinematics,
+    return fmt::format("{},{},{},{},{},{:.2e},{:.8f},{:.2e},{:.3f}\n", price.flap.kinematics,
                        price.flap.strains, price.flap.degree, price.flap.nElements, price.nUnknowns,
                        price.seconds, price.tip, price.error, price.modelError);
 }
@@ -197,7 +215,7 @@ void printCheapest(const std::vector<Price>& prices, double limit) {
     for (const auto& [kinematics, price] : best) {
         fmt::print("  {:12} {}\n", kinematics,
                    price ? fmt::format("degree {}, {} elements along the height: {} unknowns, "
-                                       "{:.4f} s",
+                                       "{:.2e} s",
                                        price->flap.degree, price->flap.nElements, price->nUnknowns,
                                        price->seconds)
                          : "does not reach it");
@@ -228,7 +246,9 @@ bool judge(const std::vector<Price>& prices, const std::string& strains) {
         check("linear beam of degree 4 against q L^4 / 8 E I",
               100 * std::abs(finest("beam", 4).tip / exact - 1), 1e-6);
     }
-    check("finest shell of degree 3 against the beam", finest("shell", 3).error, 0.05);
+    // Their strains differ where stretch and bending meet.
+    check("finest shell of degree 4 against the beam",
+          100 * std::abs(finest("shell", 4).tip / finest("beam", 4).tip - 1), 0.2);
     for (const Price& price : prices) {
         if (price.flap.kinematics != "solid") {
             continue;
@@ -254,6 +274,7 @@ int main(int argc, char** argv) {
         std::ofstream file(argv[1]);
         const auto write = [&](const std::string& line) {
             fmt::print("{}", line);
+            std::fflush(stdout);
             file << line;
         };
         write("kinematics,strains,degree,elements,unknowns,processor_seconds,tip_m,"

@@ -99,6 +99,33 @@ TEST(SolidReferences, slab_held_along_z_bends_as_plane_strain_does) {
     EXPECT_GT(expected.lpNorm<Eigen::Infinity>(), 0.05); // it does bend
 }
 
+TEST(SolidReferences, distorted_elements_pulled_at_an_end_have_the_exact_linear_field) {
+    // Degree + 1 points are exact while the elements are of degree 2 at most.
+    const geometry::NurbsVolume boxes[] = {distortedBox(1), distortedBox(2),
+                                           geometry::elevateDegree(distortedBox(2), {1, 1, 1})};
+    for (const geometry::NurbsVolume& box : boxes) {
+        const int degree = box.u().degree();
+        SolidLoads loads;
+        loads.tractions.push_back({Side::right, along({4000, 0, 0})});
+        Solid solid({box,
+                     elastic(0.3),
+                     Strains::linear,
+                     {{{Side::left}, {true, false, false}},
+                      {{Side::bottom}, {false, true, false}},
+                      {{Side::back}, {false, false, true}}},
+                     loads});
+        const VectorXd d = solveStatic(solid);
+        const double strain = 4000 / 4e6;
+        const Eigen::Matrix3d stretch =
+            Vector3d(1 + strain, 1 - 0.3 * strain, 1 - 0.3 * strain).asDiagonal();
+        const VectorXd expected = linearMotion(solid, stretch);
+        EXPECT_LT((d - expected).norm(), 1e-11 * expected.norm()) << degree; // rounding, solver
+        Eigen::Matrix3d stress = solid.stateAt({0.3, 0.6, 0.7}, d).cauchyStress;
+        stress(0, 0) -= 4000;
+        EXPECT_LT(stress.norm(), 1e-9 * 4000) << degree;
+    }
+}
+
 TEST(SolidReferences, cantilever_bends_as_Timoshenkos_beam) {
     SolidLoads loads;
     const double traction = 1; // on 1 m^2
