@@ -3,57 +3,18 @@
 // that use them disturb less. The limit is for one thread.
 #include "geometry/primitives.hpp"
 #include "igaStructure/model/shell/Shell.hpp"
+#include "timing.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <chrono>
-#include <ctime>
 #include <fstream>
-#include <limits>
-
-extern "C" void dgemm_(const char*, const char*, const int*, const int*, const int*, const double*,
-                       const double*, const int*, const double*, const int*, const double*, double*,
-                       const int*);
 
 namespace {
 
 using namespace tokay;
 using namespace tokay::structure;
-using Clock = std::chrono::steady_clock;
-
-/// Best of a few times: on the wall, and of the processors.
-struct Seconds {
-    double wall = std::numeric_limits<double>::infinity();
-    double processor = std::numeric_limits<double>::infinity();
-};
-
-template <class Work>
-Seconds bestSeconds(int nTimes, Work work) {
-    Seconds best;
-    for (int k = 0; k < nTimes; ++k) {
-        const auto start = Clock::now();
-        const std::clock_t processorStart = std::clock();
-        work();
-        best.wall =
-            std::min(best.wall, std::chrono::duration<double>(Clock::now() - start).count());
-        best.processor = std::min(
-            best.processor, static_cast<double>(std::clock() - processorStart) / CLOCKS_PER_SEC);
-    }
-    return best;
-}
-
-/// Of the linked BLAS [GFlop/s].
-double productRate() {
-    const int n = 1000;
-    const Eigen::MatrixXd a = Eigen::MatrixXd::Random(n, n);
-    Eigen::MatrixXd c = Eigen::MatrixXd::Zero(n, n);
-    const double one = 1;
-    const Seconds seconds = bestSeconds(5, [&] {
-        dgemm_("N", "N", &n, &n, &n, &one, a.data(), &n, a.data(), &n, &one, c.data(), &n);
-    });
-    return 2.0 * n * n * n / seconds.processor * 1e-9;
-}
+using benchmarks::bestSeconds;
+using benchmarks::Seconds;
 
 Shell cylinder(int degree, int nElements, Strains strains) {
     const geometry::TrimmedPatch patch(geometry::cylinderPatch({0, 0, 0}, 25, 50, 0.8, 2.2));
@@ -77,7 +38,7 @@ int main(int argc, char** argv) {
           "force_processor_us,"
           "product_GFlops,share_of_rate_percent,limit_us,verdict\n");
     const bool isQuick = argc > 2;
-    const double rate = productRate();
+    const double rate = benchmarks::productRate();
     bool allHold = true;
     for (const Strains strains : {Strains::linear, Strains::nonlinear}) {
         for (const int degree : {2, 3, 4}) {

@@ -39,6 +39,7 @@ struct Case {
     NewtonOptions newton;
     OutputOptions output;
     std::optional<Coupling> coupling;
+    std::string supportsPlace; ///< file, line and entry: begins messages
 };
 
 } // namespace tokay::structure

@@ -142,7 +142,8 @@ Case readCase(const CaseSection& file, const std::string& fileName) {
             readTimeSteps(time),
             readNewton(file),
             readOutput(file.section("output"), directory),
-            isCoupled ? std::optional(readCoupling(file)) : std::nullopt};
+            isCoupled ? std::optional(readCoupling(file)) : std::nullopt,
+            file.error("supports", "").what()};
 }
 
 } // namespace tokay::structure

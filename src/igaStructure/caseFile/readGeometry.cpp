@@ -45,7 +45,11 @@ geometry::NurbsSurface refined(const geometry::NurbsSurface& coarse, const CaseS
 geometry::NurbsCurve readLine(const CaseSection& section) {
     const std::vector<double> from = section.numbers("from");
     const std::vector<double> to = section.numbers("to");
-    return geometry::line({from[0], from[1], 0}, {to[0], to[1], 0});
+    try {
+        return geometry::line({from[0], from[1], 0}, {to[0], to[1], 0});
+    } catch (const InputError& error) {
+        throw section.error("to", error.what());
+    }
 }
 
 geometry::NurbsCurve readArc(const CaseSection& section) {

@@ -19,6 +19,7 @@ std::string owner(const CaseSection& file) {
 // E, or E/(1 - nu^2) where the section cannot strain across the plane.
 double axialModulus(const CaseSection& model, const CaseSection& material, bool beam) {
     const bool isPlaneStrain = model.has("section") ? model.text("section") == "planeStrain" : beam;
+    material.require("poissonsRatio", "beam and cable need it");
     const double nu = material.number("poissonsRatio");
     return material.number("youngsModulus") / (isPlaneStrain ? 1 - nu * nu : 1);
 }

@@ -21,11 +21,16 @@ ElasticMaterial readMaterial(const CaseSection& file) {
     const CaseSection damping = section.section("rayleighDamping");
     ElasticMaterial material;
     material.youngsModulus = section.number("youngsModulus");
-    material.poissonsRatio = section.number("poissonsRatio");
     material.density = section.number("density");
     material.massDamping = damping.number("mass");
     material.stiffnessDamping = damping.number("stiffness");
     material.law = lawFromName(section.text("type"));
+    if (material.law == MaterialLaw::incompressibleNeoHookean) {
+        material.poissonsRatio = 0.5;
+        return material;
+    }
+    section.require("poissonsRatio", section.text("type") + " needs it");
+    material.poissonsRatio = section.number("poissonsRatio");
     return material;
 }
 

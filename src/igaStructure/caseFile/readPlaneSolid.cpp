@@ -14,6 +14,7 @@ Material readMaterial(const CaseSection& file) {
     const CaseSection damping = section.section("rayleighDamping");
     Material material;
     material.youngsModulus = section.number("youngsModulus");
+    section.require("poissonsRatio", "a plane solid needs it");
     material.poissonsRatio = section.number("poissonsRatio");
     material.density = section.number("density");
     material.massDamping = damping.number("mass");

@@ -5,7 +5,7 @@ namespace tokay::structure {
 enum class MaterialLaw {
     stVenantKirchhoff,
     neoHookean,
-    incompressibleNeoHookean ///< Poisson's ratio is not used
+    incompressibleNeoHookean ///< of Poisson's ratio 0.5
 };
 
 /// Material of a body in space: a shell, a membrane or a solid.

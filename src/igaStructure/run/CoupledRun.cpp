@@ -9,6 +9,7 @@
 #include "igaStructure/run/FluidLink.hpp"
 #include "igaStructure/run/PrescribedStructure.hpp"
 #include "igaStructure/run/describeModel.hpp"
+#include "igaStructure/run/requireSupports.hpp"
 
 #include <fmt/format.h>
 
@@ -36,6 +37,7 @@ class Session {
 
     void run() {
         report_(describeModel(case_, *body_));
+        requireSupports(case_, body_->model());
         start();
         while (const std::optional<BeginStep> begin = nextStep()) {
             advance(*begin);

@@ -7,6 +7,7 @@
 #include "igaStructure/run/Watch.hpp"
 #include "igaStructure/run/advise.hpp"
 #include "igaStructure/run/describeModel.hpp"
+#include "igaStructure/run/requireSupports.hpp"
 #include "igaStructure/timeIntegration/TimeIntegrator.hpp"
 
 #include <fmt/format.h>
@@ -53,6 +54,7 @@ std::string checkCase(const Case& structureCase) {
     const std::unique_ptr<Body> body = makeBody(structureCase);
     const Watch watch(*body, structureCase.output.watchPoints);
     chosenFields(*body, structureCase.output);
+    requireSupports(structureCase, body->model());
     const TimeIntegrator integrator(body->model(), structureCase.timeScheme, structureCase.newton,
                                     0);
     return describeModel(structureCase, *body) +

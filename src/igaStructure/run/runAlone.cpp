@@ -6,6 +6,7 @@
 #include "igaStructure/run/Interruption.hpp"
 #include "igaStructure/run/RunOutput.hpp"
 #include "igaStructure/run/describeModel.hpp"
+#include "igaStructure/run/requireSupports.hpp"
 #include "igaStructure/timeIntegration/ExplicitIntegrator.hpp"
 
 #include <fmt/format.h>
@@ -139,6 +140,7 @@ void runAlone(const Case& structureCase, const Report& report) {
     const TimeSteps steps = requireTimeSteps(structureCase);
     const std::unique_ptr<Body> body = makeBody(structureCase);
     report(describeModel(structureCase, *body));
+    requireSupports(structureCase, body->model());
     if (steps.largestPathSteps > 0) {
         runPath(structureCase, steps, *body, report);
     } else if (steps.isExplicit) {

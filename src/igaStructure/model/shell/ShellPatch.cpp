@@ -9,6 +9,15 @@
 
 namespace tokay::structure {
 
+namespace {
+
+// Whether the tangents are continuous where a knot span begins.
+bool isSmooth(const geometry::KnotVector& knots, int span) {
+    return knots.multiplicity(knots.breakpoints()[span]) < knots.degree();
+}
+
+} // namespace
+
 ShellPatch::ShellPatch(geometry::TrimmedPatch patch, std::vector<int> nodes,
                        std::shared_ptr<const ShellSection> section, double massPerArea,
                        const geometry::QuadratureOptions& cutRule)
@@ -40,19 +49,40 @@ std::vector<int> ShellPatch::nodesOfRow(int row) const {
 }
 
 void ShellPatch::requireRegular() const {
+    const auto error = [&](const ShellElement& element, const char* what) {
+        const Eigen::Vector3d x = element.position();
+        return InputError(fmt::format("the surface of patch \"{}\" {} near ({:.6g}, {:.6g}, "
+                                      "{:.6g}); check its control points",
+                                      patch_.name(), what, x[0], x[1], x[2]));
+    };
+    constexpr double foldedOver = -0.9; // cosine of normals of neighbouring points
+    std::vector<Eigen::Vector3d> lastNormals(patch_.nElements(), Eigen::Vector3d::Zero());
     ShellElement element;
     for (int number = 0; number < patch_.nElements(); ++number) {
-        element.moveTo(*this, number % u_.nSpans(), number / u_.nSpans());
+        const int i = number % u_.nSpans();
+        const int j = number / u_.nSpans();
+        element.moveTo(*this, i, j);
+        std::vector<Eigen::Vector3d> before; // normals nearby, where the surface is smooth
+        if (i > 0 && isSmooth(surface().u(), i)) {
+            before.push_back(lastNormals[number - 1]);
+        }
+        if (j > 0 && isSmooth(surface().v(), j)) {
+            before.push_back(lastNormals[number - u_.nSpans()]);
+        }
         for (int point = 0; point < element.nPoints(); ++point) {
             element.moveToPoint(point);
+            const UnitNormal& normal = element.reference().normal;
             const double size = element.reference().derivatives.leftCols<2>().squaredNorm();
-            if (!(element.reference().normal.area() > 1e-14 * size)) {
-                const Eigen::Vector3d x = element.position();
-                throw InputError(fmt::format(
-                    "the surface of patch \"{}\" is degenerate near ({:.6g}, {:.6g}, {:.6g}): "
-                    "its parameter lines are parallel there; check its control points",
-                    patch_.name(), x[0], x[1], x[2]));
+            if (!(normal.area() > 1e-14 * size)) {
+                throw error(element, "is degenerate (its parameter lines are parallel)");
             }
+            for (const Eigen::Vector3d& other : before) {
+                if (other.dot(normal.value()) < foldedOver) {
+                    throw error(element, "folds over (its normal turns round)");
+                }
+            }
+            before = {normal.value()};
+            lastNormals[number] = normal.value();
         }
     }
 }

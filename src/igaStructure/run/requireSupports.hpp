@@ -1,0 +1,12 @@
+#pragma once
+
+#include "igaStructure/caseFile/Case.hpp"
+#include "igaStructure/model/StructuralModel.hpp"
+
+namespace tokay::structure {
+
+/// A static analysis needs them against every rigid motion.
+/// @throws InputError that names the free ones
+void requireSupports(const Case& structureCase, const StructuralModel& model);
+
+} // namespace tokay::structure
