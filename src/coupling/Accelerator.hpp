@@ -7,6 +7,8 @@
 namespace tokay::coupling {
 
 struct CouplingOptions;
+class StateReader;
+class StateWriter;
 
 /// Finds the displacement for the next exchange in the search for x = xTilde,
 /// where xTilde is the structure's answer to the fluid's forces at x.
@@ -27,6 +29,11 @@ class Accelerator {
 
     /// Forgets what this step has taught.
     virtual void rejectTimeStep() {}
+
+    /// What earlier steps have taught, between two time steps.
+    virtual void save(StateWriter&) const {}
+    /// Goes on from what save() wrote. @throws PeerError if it is another method's
+    virtual void restore(StateReader&) {}
 
     /// Pairs of differences in use, for statistics.
     virtual int nColumns() const { return 0; }

@@ -1,6 +1,8 @@
 #include "coupling/Aitken.hpp"
 
 #include "coupling/CouplingOptions.hpp"
+#include "coupling/StateReader.hpp"
+#include "coupling/StateWriter.hpp"
 
 #include <algorithm>
 
@@ -38,6 +40,14 @@ void Aitken::updateRelaxation(const Eigen::VectorXd& residual) {
 
 void Aitken::rejectTimeStep() {
     relaxation_ = initial_;
+}
+
+void Aitken::save(StateWriter& state) const {
+    state.number(relaxation_);
+}
+
+void Aitken::restore(StateReader& state) {
+    relaxation_ = state.number();
 }
 
 } // namespace tokay::coupling

@@ -17,6 +17,8 @@ class Aitken : public Accelerator {
     Eigen::VectorXd next(const Eigen::VectorXd& x, const Eigen::VectorXd& xTilde,
                          double fluidResidual) override;
     void rejectTimeStep() override;
+    void save(StateWriter& state) const override;
+    void restore(StateReader& state) override;
 
     double relaxation() const { return relaxation_; }
 

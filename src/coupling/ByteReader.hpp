@@ -20,7 +20,7 @@ class ByteReader {
 
     void operator()(bool& value) { value = enumerator(1, "a truth value") != 0; }
     void operator()(Role& value) { value = static_cast<Role>(enumerator(1, "a role")); }
-    void operator()(State& value) { value = static_cast<State>(enumerator(2, "a state")); }
+    void operator()(State& value) { value = static_cast<State>(enumerator(3, "a state")); }
     void operator()(std::uint32_t& value) { value = littleEndian<std::uint32_t>(); }
     void operator()(double& value) {
         const auto bits = littleEndian<std::uint64_t>();

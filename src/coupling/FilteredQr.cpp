@@ -1,5 +1,8 @@
 #include "coupling/FilteredQr.hpp"
 
+#include "coupling/StateReader.hpp"
+#include "coupling/StateWriter.hpp"
+
 #include <cassert>
 #include <cmath>
 
@@ -74,6 +77,21 @@ void FilteredQr::remove(int column) {
 void FilteredQr::clear() {
     q_.clear();
     r_.resize(0, 0);
+}
+
+void FilteredQr::save(StateWriter& state) const {
+    state.matrix(r_);
+    for (const Eigen::VectorXd& vector : q_) {
+        state.matrix(vector);
+    }
+}
+
+void FilteredQr::restore(StateReader& state) {
+    r_ = state.matrix();
+    q_.clear();
+    for (Eigen::Index i = 0; i < r_.cols(); ++i) {
+        q_.push_back(state.interfaceVector());
+    }
 }
 
 /// Turns rows `row` and `row + 1` of R, and the same columns of Q, so that

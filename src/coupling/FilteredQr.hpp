@@ -8,6 +8,9 @@
 
 namespace tokay::coupling {
 
+class StateReader;
+class StateWriter;
+
 /// QR factors of a few columns, newest first, updated as columns come and go:
 /// the least-squares core of the quasi-Newton methods. Columns that depend on
 /// newer ones, and columns of zeros, are dropped, never divided by.
@@ -24,6 +27,10 @@ class FilteredQr {
 
     void remove(int column);
     void clear();
+
+    void save(StateWriter& state) const;
+    /// Its columns are interface vectors.
+    void restore(StateReader& state);
 
     /// Coefficients c that minimise |V c - rightHandSide|.
     Eigen::VectorXd solve(const Eigen::VectorXd& rightHandSide) const;

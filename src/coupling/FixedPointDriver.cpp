@@ -1,6 +1,8 @@
 #include "coupling/FixedPointDriver.hpp"
 
 #include "common/errors.hpp"
+#include "coupling/StateReader.hpp"
+#include "coupling/StateWriter.hpp"
 
 #include <cassert>
 #include <cmath>
@@ -10,8 +12,9 @@ namespace tokay::coupling {
 
 FixedPointDriver::FixedPointDriver(const CouplingOptions& options, double tolerance,
                                    const Eigen::VectorXd& initial)
-    : criteria_(options, tolerance), predictor_(options.extrapolation, initial),
-      accelerator_(makeAccelerator(options)), x_(initial), next_(initial) {}
+    : acceleration_(options.acceleration), criteria_(options, tolerance),
+      predictor_(options.extrapolation, initial), accelerator_(makeAccelerator(options)),
+      x_(initial), next_(initial) {}
 
 const Eigen::VectorXd& FixedPointDriver::beginTimeStep(double deltaT) {
     deltaT_ = deltaT;
@@ -65,6 +68,21 @@ void FixedPointDriver::rejectTimeStep() {
         accelerator_->rejectTimeStep();
     }
     deltaT_ = 0;
+}
+
+void FixedPointDriver::save(StateWriter& state) const {
+    predictor_.save(state);
+    state.integer(static_cast<int>(acceleration_));
+    if (accelerator_) {
+        accelerator_->save(state);
+    }
+}
+
+void FixedPointDriver::restore(StateReader& state) {
+    predictor_.restore(state);
+    if (state.integer() == static_cast<int>(acceleration_) && accelerator_) {
+        accelerator_->restore(state);
+    }
 }
 
 } // namespace tokay::coupling

@@ -11,6 +11,9 @@
 
 namespace tokay::coupling {
 
+class StateReader;
+class StateWriter;
+
 /// Answer to one exchange.
 struct Iteration {
     Eigen::VectorXd x;      ///< displacement for the next exchange
@@ -61,10 +64,22 @@ class FixedPointDriver {
     /// Forgets the step, which will be tried again.
     void rejectTimeStep();
 
+    /// All that earlier steps have left behind, between two time steps.
+    void save(StateWriter& state) const;
+
+    /// Goes on from what save() wrote. The accelerator begins anew if it was
+    /// another one.
+    /// @throws PeerError if the state is damaged
+    void restore(StateReader& state);
+
+    /// Displacement that the fluid has been given last.
+    const Eigen::VectorXd& x() const { return x_; }
+
     /// Of the current step, or of the last one until the next begins.
     const StepStatistics& statistics() const { return statistics_; }
 
   private:
+    Acceleration acceleration_;
     ConvergenceCriteria criteria_;
     Predictor predictor_;
     std::unique_ptr<Accelerator> accelerator_; ///< none: explicit coupling

@@ -1,5 +1,8 @@
 #include "coupling/IqnIls.hpp"
 
+#include "coupling/StateReader.hpp"
+#include "coupling/StateWriter.hpp"
+
 #include <algorithm>
 
 namespace tokay::coupling {
@@ -53,6 +56,25 @@ void IqnIls::acceptTimeStep() {
 
 void IqnIls::rejectTimeStep() {
     model_ = modelAtBegin_;
+}
+
+void IqnIls::save(StateWriter& state) const {
+    state.integer(step_);
+    model_.V.save(state);
+    for (const Column& column : model_.W) {
+        state.integer(column.step);
+        state.matrix(column.w);
+    }
+}
+
+void IqnIls::restore(StateReader& state) {
+    step_ = state.integer();
+    model_.V.restore(state);
+    model_.W.clear();
+    for (int i = 0; i < nColumns(); ++i) {
+        const int step = state.integer();
+        model_.W.push_back({state.interfaceVector(), step});
+    }
 }
 
 void IqnIls::Model::remove(int column) {

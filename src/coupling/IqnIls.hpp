@@ -19,6 +19,8 @@ class IqnIls : public QuasiNewton {
     void beginTimeStep() override;
     void acceptTimeStep() override;
     void rejectTimeStep() override;
+    void save(StateWriter& state) const override;
+    void restore(StateReader& state) override;
     int nColumns() const override { return model_.V.nColumns(); }
 
   protected:

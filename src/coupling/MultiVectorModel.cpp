@@ -1,5 +1,8 @@
 #include "coupling/MultiVectorModel.hpp"
 
+#include "coupling/StateReader.hpp"
+#include "coupling/StateWriter.hpp"
+
 #include <algorithm>
 
 namespace tokay::coupling {
@@ -73,6 +76,21 @@ void MultiVectorModel::acceptTimeStep() {
 void MultiVectorModel::rejectTimeStep() {
     V_.clear();
     columns_.clear();
+}
+
+void MultiVectorModel::save(StateWriter& state) const {
+    state.matrix(old_.A());
+    state.matrix(old_.B());
+}
+
+void MultiVectorModel::restore(StateReader& state) {
+    const Eigen::MatrixXd A = state.interfaceMatrix();
+    const Eigen::MatrixXd B = state.interfaceMatrix();
+    if (A.cols() != B.cols()) {
+        throw PeerError("the factors of a Jacobian do not fit each other");
+    }
+    old_ = {};
+    old_.append(A, B);
 }
 
 } // namespace tokay::coupling

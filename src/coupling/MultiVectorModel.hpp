@@ -40,6 +40,11 @@ class MultiVectorModel {
     /// Forgets the differences of this step.
     void rejectTimeStep();
 
+    /// Of J, between two time steps.
+    void save(StateWriter& state) const;
+    /// Rows and columns of J belong to the interface.
+    void restore(StateReader& state);
+
     /// Multiplies Jₙ, e.g. when the time step changes.
     void scale(double factor) { old_.scale(factor); }
 

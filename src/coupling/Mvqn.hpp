@@ -13,6 +13,8 @@ class Mvqn : public QuasiNewton {
 
     void acceptTimeStep() override { model_.acceptTimeStep(); }
     void rejectTimeStep() override { model_.rejectTimeStep(); }
+    void save(StateWriter& state) const override { model_.save(state); }
+    void restore(StateReader& state) override { model_.restore(state); }
     int nColumns() const override { return model_.rank(); }
 
   protected:

@@ -1,5 +1,8 @@
 #include "coupling/Predictor.hpp"
 
+#include "coupling/StateReader.hpp"
+#include "coupling/StateWriter.hpp"
+
 #include <cassert>
 
 namespace tokay::coupling {
@@ -27,6 +30,25 @@ void Predictor::accept(const Eigen::VectorXd& x, double deltaT) {
     assert(deltaT > 0);
     accepted_.push_front({accepted_.front().time + deltaT, x});
     if (accepted_.size() > nPoints_) {
+        accepted_.pop_back();
+    }
+}
+
+void Predictor::save(StateWriter& state) const {
+    state.integer(static_cast<int>(accepted_.size()));
+    for (const Accepted& one : accepted_) {
+        state.number(one.time - accepted_.front().time);
+        state.matrix(one.x);
+    }
+}
+
+void Predictor::restore(StateReader& state) {
+    accepted_.clear();
+    for (int n = state.integer(); n > 0; --n) {
+        const double time = state.number();
+        accepted_.push_back({time, state.interfaceVector()});
+    }
+    while (accepted_.size() > nPoints_) { // fewer are wanted now
         accepted_.pop_back();
     }
 }

@@ -8,6 +8,9 @@
 
 namespace tokay::coupling {
 
+class StateReader;
+class StateWriter;
+
 /// Extrapolates the accepted displacements by a polynomial in time, whatever
 /// the time steps were; as long as there are too few of them, by a polynomial
 /// of lower degree.
@@ -21,6 +24,9 @@ class Predictor {
     /// @param x       accepted displacement at the end of the step
     /// @param deltaT  length of that step [s]
     void accept(const Eigen::VectorXd& x, double deltaT);
+
+    void save(StateWriter& state) const;
+    void restore(StateReader& state);
 
   private:
     struct Accepted {

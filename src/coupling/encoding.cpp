@@ -14,7 +14,8 @@ namespace {
 constexpr std::array<std::uint8_t, 4> magic = {'T', 'o', 'k', 'a'};
 
 constexpr std::array<const char*, std::variant_size_v<Message>> typeNames = {
-    "Hello", "Interface", "Accepted", "BeginStep", "Forces", "Displacements", "Goodbye", "Failure"};
+    "Hello",         "Interface", "Accepted", "BeginStep", "Forces",
+    "Displacements", "Goodbye",   "Failure",  "RejectStep"};
 
 /// The fields of a message in their order on the wire, for both directions.
 /// (The protocol version of a Hello stands in the frame's header.)
@@ -25,7 +26,7 @@ auto fieldsOf(M& m) {
         return std::tie(m.role, m.program, m.token, m.caseDigest);
     } else if constexpr (std::is_same_v<Type, Interface>) {
         return std::tie(m.dimension, m.name, m.points, m.faceOffsets, m.facePoints, m.displacements,
-                        m.tolerance, m.startTime, m.endTime);
+                        m.tolerance, m.startTime, m.endTime, m.deltaT, m.retries);
     } else if constexpr (std::is_same_v<Type, Accepted>) {
         return std::tie(m.report);
     } else if constexpr (std::is_same_v<Type, BeginStep>) {
@@ -33,8 +34,10 @@ auto fieldsOf(M& m) {
     } else if constexpr (std::is_same_v<Type, Forces>) {
         return std::tie(m.final, m.write, m.fluidResidual, m.values);
     } else if constexpr (std::is_same_v<Type, Displacements>) {
-        return std::tie(m.state, m.residual, m.values);
+        return std::tie(m.state, m.residual, m.values, m.reason);
     } else if constexpr (std::is_same_v<Type, Goodbye>) {
+        return std::tie(m.reason);
+    } else if constexpr (std::is_same_v<Type, RejectStep>) {
         return std::tie(m.reason);
     } else {
         static_assert(std::is_same_v<Type, Failure>);

@@ -16,7 +16,7 @@ namespace tokay::coupling {
 ///              depth [N/m]; 3: three components, forces in [N]
 
 /// Version of the messages below; both sides must agree.
-constexpr std::uint32_t protocolVersion = 1;
+constexpr std::uint32_t protocolVersion = 2;
 
 enum class Role : std::uint8_t { fluid, structure };
 
@@ -40,6 +40,8 @@ struct Interface {
     double tolerance = 0;                   ///< that the residual must fall below; 1: explicit
     double startTime = 0;                   ///< [s]
     double endTime = 0;                     ///< [s]
+    double deltaT = 0;                      ///< of the first step, about [s]
+    bool retries = false;                   ///< a rejected step is tried again, shorter
 };
 
 /// The structure can start: what it will model and how well the two sides fit.
@@ -62,13 +64,20 @@ struct Forces {
     std::vector<double> values; ///< nFaces x dimension [N], per unit depth in 2D [N/m]
 };
 
-enum class State : std::uint8_t { iterate, converged, accepted };
+/// The step has failed; it begins again with a shorter BeginStep. No answer.
+struct RejectStep {
+    std::string reason;
+};
+
+/// rejected: the structure found no solution, the step has to be rejected.
+enum class State : std::uint8_t { iterate, converged, accepted, rejected };
 
 /// Displacements of the interface points for the next exchange.
 struct Displacements {
     State state = State::iterate;
     double residual = 1;        ///< converged when below Interface::tolerance
-    std::vector<double> values; ///< nPoints x dimension [m]
+    std::vector<double> values; ///< nPoints x dimension [m]; empty if rejected
+    std::string reason;         ///< why rejected
 };
 
 /// The sender ends the run in good order.
@@ -81,7 +90,7 @@ struct Failure {
     std::string text;
 };
 
-using Message =
-    std::variant<Hello, Interface, Accepted, BeginStep, Forces, Displacements, Goodbye, Failure>;
+using Message = std::variant<Hello, Interface, Accepted, BeginStep, Forces, Displacements, Goodbye,
+                             Failure, RejectStep>;
 
 } // namespace tokay::coupling

@@ -19,6 +19,8 @@ inline Interface exampleInterface() {
     interface.tolerance = 1e-4;
     interface.startTime = 0.5;
     interface.endTime = 5;
+    interface.deltaT = 1e-3;
+    interface.retries = true;
     return interface;
 }
 
@@ -29,9 +31,10 @@ inline std::vector<Message> exampleMessages() {
             Accepted{"coverage 100 %\nlargest gap 1e-9 m"},
             BeginStep{12, 0.75, 1e-3},
             Forces{true, true, 3e-5, {1, -2.5, std::numeric_limits<double>::denorm_min(), -0.0}},
-            Displacements{State::accepted, 2e-5, {0.1, 0.2}},
+            Displacements{State::rejected, 2e-5, {0.1, 0.2}, "no equilibrium"},
             Goodbye{"end time reached"},
-            Failure{"the mesh has a cell of negative volume"}};
+            Failure{"the mesh has a cell of negative volume"},
+            RejectStep{"not converged"}};
 }
 
 } // namespace tokay::coupling

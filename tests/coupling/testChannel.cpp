@@ -61,7 +61,7 @@ TEST(Channel, carriesMessagesLargerThanAnySocketBufferBothWays) {
     }
     std::thread peer([&structure = structure] {
         const Forces forces = structure.receive<Forces>("the fluid's forces");
-        structure.send(Displacements{State::iterate, 0.5, forces.values});
+        structure.send(Displacements{State::iterate, 0.5, forces.values, ""});
     });
     fluid.send(Forces{false, false, 0, values});
     EXPECT_EQ(fluid.receive<Displacements>("the structure's answer").values, values);

@@ -191,7 +191,7 @@ TEST(Encoding, otherProtocolVersionIsRefusedNamingBoth) {
     frame[4] = 7;
     const std::string error = errorOf(frame);
     EXPECT_NE(error.find("version 7"), std::string::npos) << error;
-    EXPECT_NE(error.find("version 1"), std::string::npos) << error;
+    EXPECT_NE(error.find("version 2"), std::string::npos) << error;
 }
 
 TEST(Encoding, unknownTypeIsRefused) {

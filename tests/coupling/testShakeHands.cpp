@@ -71,8 +71,8 @@ TEST(ShakeHands, otherProtocolVersionIsToldToBothSidesNamingBoth) {
     Hello newer = fluidHello;
     newer.protocol = 42;
     const Errors errors = errorsOfHandshake(newer, structureHello);
-    EXPECT_THAT(errors.structure, AllOf(HasSubstr("version 42"), HasSubstr("version 1")));
-    EXPECT_THAT(errors.fluid, AllOf(HasSubstr("version 42"), HasSubstr("version 1")));
+    EXPECT_THAT(errors.structure, AllOf(HasSubstr("version 42"), HasSubstr("version 2")));
+    EXPECT_THAT(errors.fluid, AllOf(HasSubstr("version 42"), HasSubstr("version 2")));
 }
 
 TEST(ShakeHands, twoFluidsAreRefused) {

@@ -75,7 +75,7 @@ bool sendNonsense(const Options& options) {
         writeRaw(options.channel, {'T', 'o', 'k'});
     } else if (options.behaviour == "oversized") {
         // A frame header as ours, with the largest possible payload
-        std::vector<unsigned char> header{'T', 'o', 'k', 'a', 1, 0, 0, 0, 5, 0, 0, 0};
+        std::vector<unsigned char> header{'T', 'o', 'k', 'a', protocolVersion, 0, 0, 0, 5, 0, 0, 0};
         header.insert(header.end(), 4, 0xFF);
         writeRaw(options.channel, header);
     } else {

@@ -94,17 +94,4 @@ explicit()
         "$(grep -v '^#' structure/postProcessing/flap/0/iterations.dat | awk '{ print $2 }' | sort -u)" 1
 }
 
-property restart "a start from a deformed mesh is refused on both sides"
-restart()
-{
-    makeFlap fluid
-    entry system/controlDict writeInterval 0.03
-    runFluid
-    entry system/controlDict startFrom latestTime
-    entry system/controlDict endTime 0.04
-    runFaultyFluid
-    expectText log.pimpleFoam "the structure ended: the fluid's interface is displaced at its start time 0.03 s"
-    expectText log.igaStructure "the fluid's interface is displaced at its start time 0.03 s"
-}
-
 runProperties "$@"

@@ -233,12 +233,6 @@ TEST(CoupledRun, three_dimensional_interface_is_refused) {
     EXPECT_THAT(refusal(coupledText(), fluid), HasSubstr("has 3 dimensions"));
 }
 
-TEST(CoupledRun, displaced_start_is_refused) {
-    coupling::Interface fluid = flapInterface(20);
-    fluid.displacements[5] = 0.01;
-    EXPECT_THAT(refusal(coupledText(), fluid), HasSubstr("(point 2 by 0.01 m)"));
-}
-
 TEST(CoupledRun, interface_that_is_not_consistent_is_refused) {
     coupling::Interface fluid = flapInterface(20);
     fluid.facePoints[3] = 1000;

@@ -14,6 +14,7 @@ License
 #include "globalMeshData.H"
 #include "indirectPrimitivePatch.H"
 #include "ListListOps.H"
+#include "points0MotionSolver.H"
 
 #include <sstream>
 
@@ -52,6 +53,9 @@ void Foam::couplingInterface::setDimension()
 
 void Foam::couplingInterface::gather(pointField& points, faceList& faces)
 {
+    // Not the mesh's own points, which are displaced after a restart
+    const pointIOField points0(points0MotionSolver::points0IO(mesh_));
+
     label nFaces = 0;
     for (const label patchi : patches_)
     {
@@ -74,7 +78,7 @@ void Foam::couplingInterface::gather(pointField& points, faceList& faces)
     const indirectPrimitivePatch surface
     (
         IndirectList<face>(mesh_.faces(), meshFaces),
-        mesh_.points()
+        points0
     );
     labelList pointToGlobal;
     labelList uniqueMeshPoints;
@@ -109,7 +113,7 @@ void Foam::couplingInterface::gather(pointField& points, faceList& faces)
     List<pointField> allPoints(Pstream::nProcs());
     List<faceList> allFaces(Pstream::nProcs());
     allPoints[Pstream::myProcNo()] =
-        pointField(mesh_.points(), uniqueMeshPoints);
+        pointField(points0, uniqueMeshPoints);
     allFaces[Pstream::myProcNo()] = localFaces;
     Pstream::gatherList(allPoints);
     Pstream::gatherList(allFaces);
@@ -306,8 +310,6 @@ void Foam::couplingInterface::describe
         inplaceRenumber(number, rankPoints_[rank]);
         UIndirectList<vector>(moved, rankPoints_[rank]) = rankValues[rank];
     }
-    points -= moved;
-
     message.dimension = components_.size();
     message.points = components(points);
     message.displacements = components(moved);

@@ -325,6 +325,7 @@ Foam::couplingSession::couplingSession
     message.tolerance = residual_.tolerance();
     message.startTime = mesh.time().startTime().value();
     message.endTime = mesh.time().endTime().value();
+    message.deltaT = mesh.time().deltaTValue();
     interface_.describe(pointDisplacement_, message);
 
     if (residual_.isExplicit())

@@ -187,6 +187,7 @@ void Foam::harmonicBasisMotionSolver::build()
     pairPoints();
     functions_.reset(new interfaceFunctions(boundaryPlaces(), nFunctions_));
     nFunctions_ = functions_->size();
+    state_.set("nFunctions", nFunctions_);
     checkMemory();
 
     IStringStream diffusivityStream(diffusivity());

@@ -1,5 +1,6 @@
 #include "igaStructure/caseFile/CaseSection.hpp"
 
+#include "common/digest.hpp"
 #include "igaStructure/caseFile/CaseEntry.hpp"
 #include "igaStructure/caseFile/validateCase.hpp"
 
@@ -99,6 +100,12 @@ std::vector<std::string> CaseSection::givenNames() const {
         names.push_back(pair.first.Scalar());
     }
     return names;
+}
+
+std::string CaseSection::digest() const {
+    YAML::Emitter text;
+    text << YAML::Flow << implementation_->place.node;
+    return tokay::digest(text.c_str());
 }
 
 void CaseSection::require(const std::string& name, const std::string& reason) const {

@@ -67,6 +67,9 @@ class CaseSection {
                                    const std::string& owner) const;
 
     CaseSection section(const std::string& name) const;
+
+    /// Of the entries that the file gives, whatever their layout.
+    std::string digest() const;
     std::vector<CaseSection> list(const std::string& name) const;
 
     /// A mistake found by the reader.

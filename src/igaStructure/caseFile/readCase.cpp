@@ -143,7 +143,8 @@ Case readCase(const CaseSection& file, const std::string& fileName) {
             readNewton(file),
             readOutput(file.section("output"), directory),
             isCoupled ? std::optional(readCoupling(file)) : std::nullopt,
-            file.error("supports", "").what()};
+            file.error("supports", "").what(),
+            file.section("geometry").digest() + file.section("discretisation").digest()};
 }
 
 } // namespace tokay::structure

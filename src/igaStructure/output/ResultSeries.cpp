@@ -1,10 +1,11 @@
 #include "igaStructure/output/ResultSeries.hpp"
 
-#include "common/OutputFile.hpp"
 #include "igaStructure/output/chosenFields.hpp"
 #include "igaStructure/output/writeVtu.hpp"
 
 #include <fmt/format.h>
+
+#include <cmath>
 
 namespace tokay::structure {
 
@@ -13,13 +14,26 @@ ResultSeries::ResultSeries(const Body& body, const OutputOptions& options, std::
     : body_(body), directory_(options.directory), fields_(chosenFields(body, options)),
       name_(std::move(name)), meshes_(body.meshes(options)), start_(start) {}
 
+void ResultSeries::continueEarlier() {
+    constexpr double tolerance = 1e-9; // times in the file have 12 digits
+    const double limit = start_->time + tolerance * std::abs(start_->time);
+    for (PvdEntry& entry : readPvd(pvdPath())) {
+        if (entry.time <= limit) {
+            entries_.push_back(std::move(entry));
+        }
+    }
+    if (!entries_.empty()) {
+        start_.reset();
+    }
+}
+
 void ResultSeries::add(const MotionState& state) {
     if (start_ && start_->time < state.time) {
         addFile(*start_);
     }
     start_.reset();
     addFile(state);
-    writePvd();
+    writePvd(pvdPath(), entries_);
 }
 
 void ResultSeries::addFile(const MotionState& state) {
@@ -37,19 +51,6 @@ void ResultSeries::addFile(const MotionState& state) {
     }
     writeVtu(directory_ + "/" + file, pieces);
     entries_.push_back({state.time, file});
-}
-
-void ResultSeries::writePvd() const {
-    std::string text = "<?xml version=\"1.0\"?>\n"
-                       "<VTKFile type=\"Collection\" version=\"0.1\" "
-                       "byte_order=\"LittleEndian\">\n  <Collection>\n";
-    for (const Entry& entry : entries_) {
-        text += fmt::format("    <DataSet timestep=\"{:.12g}\" file=\"{}\"/>\n", entry.time,
-                            entry.file);
-    }
-    OutputFile file(directory_ + "/" + name_ + ".pvd");
-    file.write(text + "  </Collection>\n</VTKFile>\n");
-    file.publish();
 }
 
 } // namespace tokay::structure

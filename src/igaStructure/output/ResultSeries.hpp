@@ -1,6 +1,7 @@
 #pragma once
 
 #include "igaStructure/body/Body.hpp"
+#include "igaStructure/output/pvd.hpp"
 
 #include <optional>
 
@@ -18,12 +19,16 @@ class ResultSeries {
     ResultSeries(const Body& body, const OutputOptions& options, std::string name,
                  const MotionState& start);
 
+    /// Goes on with the series of an earlier run, without what it has after the
+    /// start.
+    void continueEarlier();
+
     /// @throws OutputError
     void add(const MotionState& state);
 
   private:
     void addFile(const MotionState& state);
-    void writePvd() const;
+    std::string pvdPath() const { return directory_ + "/" + name_ + ".pvd"; }
 
     const Body& body_;
     std::string directory_;
@@ -31,11 +36,7 @@ class ResultSeries {
     std::string name_;
     std::vector<VtuMesh> meshes_;
     std::optional<MotionState> start_; ///< until written
-    struct Entry {
-        double time;
-        std::string file;
-    };
-    std::vector<Entry> entries_;
+    std::vector<PvdEntry> entries_;
 };
 
 } // namespace tokay::structure

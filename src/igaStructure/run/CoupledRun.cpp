@@ -2,6 +2,7 @@
 
 #include "common/errors.hpp"
 #include "coupling/PeerError.hpp"
+#include "coupling/encoding.hpp"
 #include "igaStructure/body/makeBody.hpp"
 #include "igaStructure/caseFile/readCase.hpp"
 #include "igaStructure/caseFile/readCoupling.hpp"
@@ -13,7 +14,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <optional>
 
 namespace tokay::structure {
@@ -48,6 +48,8 @@ class Session {
     void start();
     std::optional<BeginStep> nextStep();
     void advance(const BeginStep& begin);
+    std::optional<Forces> nextForces();
+    Answer answerTo(const Forces& forces);
     void send(State state, const Answer& answer);
     void record(const Answer& accepted);
 
@@ -60,21 +62,10 @@ class Session {
     std::optional<WetBoundary> boundary_;
     std::unique_ptr<StructureSide> structure_;
     std::optional<DisplacementRecorder> recorder_;
+    bool fluidRetries_ = false;
     int step_ = 0;
     double time_ = 0;
 };
-
-void requireStartFromRest(const Interface& fluid) {
-    const auto moved = std::find_if(fluid.displacements.begin(), fluid.displacements.end(),
-                                    [](double u) { return u != 0; });
-    if (moved != fluid.displacements.end()) {
-        throw InputError(fmt::format(
-            "the fluid's interface is displaced at its start time {:g} s (point {} by {:g} m), "
-            "but a structure starts undeformed: restart is not possible yet; start from time 0 "
-            "with pointDisplacement 0",
-            fluid.startTime, (moved - fluid.displacements.begin()) / fluid.dimension, *moved));
-    }
-}
 
 std::string describeInterface(const Interface& fluid, const WetBoundary& boundary) {
     return fmt::format("interface {}: {} points, {} faces; from {:g} s to {:g} s, tolerance {:g}\n",
@@ -84,8 +75,8 @@ std::string describeInterface(const Interface& fluid, const WetBoundary& boundar
 
 void Session::start() {
     const Interface fluid = link_.receive<Interface>("the fluid's interface");
+    fluidRetries_ = fluid.retries;
     boundary_.emplace(*body_, *case_.coupling, fluid);
-    requireStartFromRest(fluid);
     if (options_.replayFile.empty()) {
         structure_ =
             std::make_unique<CoupledStructure>(case_, *body_, *boundary_, fluid, timer_, report_);
@@ -94,7 +85,7 @@ void Session::start() {
             DisplacementRecord(options_.replayFile, boundary_->nComponents()), report_);
     }
     if (!options_.recordFile.empty()) {
-        recorder_.emplace(options_.recordFile);
+        recorder_.emplace(options_.recordFile, fluid.startTime);
     }
     std::string text = describeCoupling(*case_.coupling) + describeInterface(fluid, *boundary_) +
                        boundary_->report();
@@ -132,24 +123,62 @@ void Session::advance(const BeginStep& begin) {
     const Eigen::VectorXd predicted = structure_->beginTimeStep(step_, begin.time, begin.deltaT);
     send(State::iterate, {predicted, 1, false});
     while (true) {
-        const Forces forces = timer_.time(Phase::waiting, [&] {
-            return link_.receive<Forces>(fmt::format("the fluid's forces, step {}", step_));
-        });
-        if (forces.final) {
-            const Answer accepted = structure_->acceptTimeStep(forces.values, forces.write);
-            record(accepted);
-            send(State::accepted, accepted);
+        const std::optional<Forces> forces = nextForces();
+        if (!forces) {
+            structure_->rejectTimeStep();
             return;
         }
-        const Answer answer = structure_->iterate(forces.values, forces.fluidResidual);
-        send(answer.converged ? State::converged : State::iterate, answer);
+        const Answer answer = answerTo(*forces);
+        if (!answer.failure.empty()) {
+            send(State::rejected, answer);
+        } else if (forces->final) {
+            record(answer);
+            send(State::accepted, answer);
+            return;
+        } else {
+            send(answer.converged ? State::converged : State::iterate, answer);
+        }
+    }
+}
+
+// The next forces, or none if the fluid rejects the step.
+std::optional<Forces> Session::nextForces() {
+    coupling::Message message = timer_.time(Phase::waiting, [&] {
+        return link_.receive(fmt::format("the fluid's forces, step {}", step_));
+    });
+    if (const auto* rejection = std::get_if<coupling::RejectStep>(&message)) {
+        report_(
+            fmt::format("step {} time {:.6g} s is rejected: {}", step_, time_, rejection->reason));
+        return std::nullopt;
+    }
+    if (auto* forces = std::get_if<Forces>(&message)) {
+        return std::move(*forces);
+    }
+    throw coupling::PeerError(
+        fmt::format("the fluid sent a message of type {} where its forces had to "
+                    "come",
+                    coupling::typeName(message.index())));
+}
+
+// A step without a solution is no end if the fluid tries it again.
+Answer Session::answerTo(const Forces& forces) {
+    try {
+        return forces.final ? structure_->acceptTimeStep(forces.values, forces.write)
+                            : structure_->iterate(forces.values, forces.fluidResidual);
+    } catch (const SolverError& error) {
+        if (!fluidRetries_) {
+            throw;
+        }
+        Answer answer;
+        answer.failure = error.what();
+        return answer;
     }
 }
 
 void Session::send(State state, const Answer& answer) {
     const Eigen::VectorXd& values = answer.displacements;
-    link_.send(
-        Displacements{state, answer.residual, {values.data(), values.data() + values.size()}});
+    link_.send(Displacements{
+        state, answer.residual, {values.data(), values.data() + values.size()}, answer.failure});
 }
 
 void Session::record(const Answer& accepted) {

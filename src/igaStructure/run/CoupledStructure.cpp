@@ -1,15 +1,62 @@
 #include "igaStructure/run/CoupledStructure.hpp"
 
+#include "coupling/StateReader.hpp"
+#include "coupling/StateWriter.hpp"
+
+#include <fmt/format.h>
+
 namespace tokay::structure {
+
+namespace {
+
+Eigen::VectorXd initialDisplacement(const std::optional<StartState>& start,
+                                    const WetBoundary& boundary) {
+    return start ? boundary.displacements(start->saved.motion.displacement)
+                 : Eigen::VectorXd(Eigen::VectorXd::Zero(boundary.nComponents()));
+}
+
+} // namespace
 
 CoupledStructure::CoupledStructure(const Case& structureCase, Body& body,
                                    const WetBoundary& boundary, const coupling::Interface& fluid,
-                                   PhaseTimer& timer, Report report)
-    : boundary_(boundary), timer_(timer),
+                                   PhaseTimer& timer, const Report& report)
+    : case_(structureCase), boundary_(boundary), timer_(timer),
       integrator_(body.model(), structureCase.timeScheme, structureCase.newton, fluid.startTime),
+      start_(findStartState(structureCase, body.model().nUnknowns(), boundary, fluid)),
       driver_(structureCase.coupling->options, fluid.tolerance,
-              Eigen::VectorXd::Zero(boundary.nComponents())),
-      output_(structureCase, body, integrator_.state(), fluid.endTime, std::move(report)) {}
+              initialDisplacement(start_, boundary)),
+      output_(structureCase, body, begin(start_, report), fluid.endTime, report) {
+    if (start_) {
+        output_.continueEarlier();
+        start_.reset();
+    }
+}
+
+// State at the start, which integrator and driver have then.
+const MotionState& CoupledStructure::begin(const std::optional<StartState>& start,
+                                           const Report& report) {
+    if (start) {
+        integrator_.restore(start->saved.motion, start->saved.energies);
+        report(fmt::format("goes on from the saved state of {:.9g} s\n", start->saved.motion.time));
+    }
+    if (start && start->components.empty()) {
+        report("note: the fluid's interface has another mesh than then: predictor and acceleration "
+               "begin anew\n");
+    } else if (start) {
+        coupling::StateReader state(start->saved.coupling);
+        state.renumberInterface(start->components);
+        driver_.restore(state);
+    }
+    return integrator_.state();
+}
+
+void CoupledStructure::save() const {
+    SavedState state{case_.digest,       integrator_.state(), integrator_.energies(),
+                     boundary_.points(), driver_.x(),         {}};
+    coupling::StateWriter write(state.coupling);
+    driver_.save(write);
+    stateFolder(case_).add(state);
+}
 
 Eigen::VectorXd CoupledStructure::beginTimeStep(int step, double time, double deltaT) {
     report_ = {};
@@ -44,8 +91,16 @@ Answer CoupledStructure::acceptTimeStep(const std::vector<double>& forces, bool 
         timer_.time(Phase::acceleration, [&] { return driver_.acceptTimeStep(xTilde); });
     report_.firstResidual = driver_.statistics().firstResidual;
     report_.nColumns = driver_.statistics().nColumns;
+    if (writeResults) {
+        timer_.time(Phase::output, [&] { save(); });
+    }
     output_.finishStep(report_, integrator_.state(), integrator_.energies(), timer_, writeResults);
     return {xTilde, report_.lastResidual, true};
+}
+
+void CoupledStructure::rejectTimeStep() {
+    integrator_.rejectTimeStep();
+    driver_.rejectTimeStep();
 }
 
 } // namespace tokay::structure

@@ -4,26 +4,33 @@
 #include "igaStructure/run/RunOutput.hpp"
 #include "igaStructure/run/StructureSide.hpp"
 #include "igaStructure/run/WetBoundary.hpp"
+#include "igaStructure/run/restart.hpp"
 
 namespace tokay::structure {
 
 /// Solves the structure for the fluid's forces and leads the iteration.
 class CoupledStructure : public StructureSide {
   public:
+    /// Goes on from the saved state that fits the fluid's start, if it has to.
     /// @param timer  is kept by reference
     CoupledStructure(const Case& structureCase, Body& body, const WetBoundary& boundary,
-                     const coupling::Interface& fluid, PhaseTimer& timer, Report report);
+                     const coupling::Interface& fluid, PhaseTimer& timer, const Report& report);
 
     Eigen::VectorXd beginTimeStep(int step, double time, double deltaT) override;
     Answer iterate(const std::vector<double>& forces, double fluidResidual) override;
     Answer acceptTimeStep(const std::vector<double>& forces, bool writeResults) override;
+    void rejectTimeStep() override;
 
   private:
+    const MotionState& begin(const std::optional<StartState>& start, const Report& report);
+    void save() const;
     Eigen::VectorXd solve(const std::vector<double>& forces);
 
+    const Case& case_;
     const WetBoundary& boundary_;
     PhaseTimer& timer_;
     TimeIntegrator integrator_;
+    std::optional<StartState> start_;
     coupling::FixedPointDriver driver_;
     RunOutput output_;
     StepReport report_;

@@ -17,11 +17,24 @@ constexpr double timeTolerance = 1e-6;
 
 } // namespace
 
+// Each with its line end.
+std::string DisplacementRecorder::keptLines() const {
+    std::string lines;
+    std::ifstream file(path_);
+    for (std::string line; startTime_ > 0 && std::getline(file, line);) {
+        if (line[0] != '#' && std::stod(line) <= startTime_ * (1 + timeTolerance)) {
+            lines += line + "\n";
+        }
+    }
+    return lines;
+}
+
 void DisplacementRecorder::add(double time, const Eigen::VectorXd& displacements) {
     const bool isFirst = !file_;
     if (isFirst) {
+        const std::string kept = keptLines();
         file_.emplace(path_);
-        file_->write("# time[s] and displacement[m] of each interface point\n");
+        file_->write("# time[s] and displacement[m] of each interface point\n" + kept);
     }
     file_->write(fmt::format("{:.17g} {:.17g}\n", time, fmt::join(displacements, " ")));
     if (isFirst) {

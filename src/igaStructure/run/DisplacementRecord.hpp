@@ -14,13 +14,18 @@ namespace tokay::structure {
 /// with prescribed motion. Text: a line a step, time and displacements.
 class DisplacementRecorder {
   public:
-    explicit DisplacementRecorder(std::string path) : path_(std::move(path)) {}
+    /// @param startTime  steps of an earlier run's file until then are kept [s]
+    DisplacementRecorder(std::string path, double startTime)
+        : path_(std::move(path)), startTime_(startTime) {}
 
     /// @throws OutputError
     void add(double time, const Eigen::VectorXd& displacements);
 
   private:
+    std::string keptLines() const;
+
     std::string path_;
+    double startTime_;
     std::optional<OutputFile> file_;
 };
 

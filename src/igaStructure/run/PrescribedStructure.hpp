@@ -16,6 +16,7 @@ class PrescribedStructure : public StructureSide {
     Eigen::VectorXd beginTimeStep(int step, double time, double deltaT) override;
     Answer iterate(const std::vector<double>& forces, double fluidResidual) override;
     Answer acceptTimeStep(const std::vector<double>& forces, bool writeResults) override;
+    void rejectTimeStep() override {}
 
   private:
     DisplacementRecord record_;

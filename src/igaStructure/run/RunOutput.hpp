@@ -20,6 +20,10 @@ class RunOutput {
     RunOutput(const Case& structureCase, const Body& body, const MotionState& start, double endTime,
               Report report);
 
+    /// Results go on with the series of an earlier run; tables begin in a
+    /// folder of their own, as OpenFOAM's do.
+    void continueEarlier() { results_.continueEarlier(); }
+
     /// Reports an accepted step and resets the timer.
     /// @param writeResults  also the .vtu and .pvd files
     /// @throws OutputError

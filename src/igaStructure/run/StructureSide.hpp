@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include <string>
 #include <vector>
 
 namespace tokay::structure {
@@ -11,6 +12,7 @@ struct Answer {
     Eigen::VectorXd displacements; ///< of the fluid's points [m]
     double residual = 1;           ///< of the coupling, to be below the fluid's tolerance
     bool converged = false;
+    std::string failure = {}; ///< the step has no solution, because of this; empty: it has
 };
 
 /// The structure as a coupled run sees it.
@@ -28,6 +30,9 @@ class StructureSide {
     /// The step ends with these forces.
     /// @param writeResults  now
     virtual Answer acceptTimeStep(const std::vector<double>& forces, bool writeResults) = 0;
+
+    /// The step counts for nothing; it begins again, shorter.
+    virtual void rejectTimeStep() = 0;
 };
 
 } // namespace tokay::structure

@@ -20,6 +20,9 @@ class WetBoundary {
     /// Of displacements(): dimension times nPoints().
     int nComponents() const { return dimension_ * nPoints(); }
 
+    /// Points of the fluid in the reference configuration, nPoints x 3 [m]
+    const geometry::Points& points() const { return points_; }
+
     /// Displacements of the fluid's points, point after point [m].
     Eigen::VectorXd displacements(const Eigen::VectorXd& displacement) const;
 

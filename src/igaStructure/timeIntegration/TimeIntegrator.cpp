@@ -108,6 +108,14 @@ void TimeIntegrator::rejectTimeStep() {
     displacement_ = state_.displacement;
 }
 
+void TimeIntegrator::restore(const MotionState& state, const Energies& energies) {
+    assert(state.displacement.size() == model_.nUnknowns());
+    state_ = state;
+    energies_ = energies;
+    followerForce_ = followerForce(state_.displacement, state_.time);
+    displacement_ = state_.displacement;
+}
+
 VectorXd TimeIntegrator::accelerationFor(const VectorXd& displacement) const {
     if (!scheme_.dynamic) {
         return VectorXd::Zero(displacement.size());

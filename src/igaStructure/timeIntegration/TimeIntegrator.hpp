@@ -45,6 +45,9 @@ class TimeIntegrator {
     /// Forgets the step; the state is as before beginTimeStep.
     void rejectTimeStep();
 
+    /// Goes on from an earlier run's state, between two time steps.
+    void restore(const MotionState& state, const Energies& energies);
+
     /// Accepted state.
     const MotionState& state() const { return state_; }
     /// Of the last solve.

@@ -1,0 +1,144 @@
+#include "LinearResponse.hpp"
+#include "coupling/FixedPointDriver.hpp"
+#include "coupling/StateReader.hpp"
+#include "coupling/StateWriter.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace tokay::coupling {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr int n = 6;
+constexpr double deltaT = 0.1;
+constexpr double tolerance = 1e-6;
+
+/// Another load in each step; components in the order of `numbers`.
+LinearResponse response(int step, const std::vector<int>& numbers) {
+    VectorXd ratios(n);
+    ratios << 4, 2, 1, 0.5, 0.2, 0.1;
+    LinearResponse result = addedMass(ratios);
+    result.b *= std::sin(0.7 * step);
+    return {result.A(numbers, numbers), result.b(numbers)};
+}
+
+std::vector<int> inOrder() {
+    std::vector<int> numbers(n);
+    std::iota(numbers.begin(), numbers.end(), 0);
+    return numbers;
+}
+
+/// @return  x of each exchange of the steps from `first` to `last`
+std::vector<VectorXd> runSteps(FixedPointDriver& driver, int first, int last,
+                               const std::vector<int>& numbers) {
+    std::vector<VectorXd> xs;
+    for (int step = first; step <= last; ++step) {
+        const LinearResponse structure = response(step, numbers);
+        xs.push_back(driver.beginTimeStep(step % 2 == 0 ? deltaT : 0.5 * deltaT));
+        for (int exchange = 0; exchange < 100; ++exchange) {
+            const Iteration iteration = driver.iterate(structure(xs.back()), 0);
+            if (iteration.converged) {
+                break;
+            }
+            xs.push_back(iteration.x);
+        }
+        driver.acceptTimeStep(structure(xs.back()));
+    }
+    return xs;
+}
+
+std::vector<std::uint8_t> savedAfter(int nSteps, const CouplingOptions& options) {
+    FixedPointDriver driver(options, tolerance, VectorXd::Zero(n));
+    runSteps(driver, 1, nSteps, inOrder());
+    std::vector<std::uint8_t> bytes;
+    StateWriter state(bytes);
+    driver.save(state);
+    return bytes;
+}
+
+CouplingOptions optionsOf(Acceleration acceleration, Extrapolation extrapolation) {
+    CouplingOptions options;
+    options.acceleration = acceleration;
+    options.extrapolation = extrapolation;
+    options.reusedTimeSteps = 3;
+    return options;
+}
+
+class SavedHistory : public testing::TestWithParam<Acceleration> {
+  protected:
+    CouplingOptions options = optionsOf(GetParam(), Extrapolation::quadratic);
+};
+
+TEST_P(SavedHistory, continuesBitByBit) {
+    FixedPointDriver whole(options, tolerance, VectorXd::Zero(n));
+    runSteps(whole, 1, 5, inOrder());
+    const std::vector<VectorXd> expected = runSteps(whole, 6, 10, inOrder());
+
+    const std::vector<std::uint8_t> bytes = savedAfter(5, options);
+    StateReader state(bytes);
+    FixedPointDriver continued(options, tolerance, VectorXd::Zero(n));
+    continued.restore(state);
+    EXPECT_EQ(state.remaining(), 0u);
+    EXPECT_EQ(runSteps(continued, 6, 10, inOrder()), expected);
+}
+
+TEST_P(SavedHistory, continuesOnAnInterfaceThatIsNumberedAnew) {
+    const std::vector<int> numbers = {3, 5, 0, 1, 4, 2};
+    FixedPointDriver whole(options, tolerance, VectorXd::Zero(n));
+    runSteps(whole, 1, 5, inOrder());
+    const std::vector<VectorXd> expected = runSteps(whole, 6, 8, inOrder());
+
+    const std::vector<std::uint8_t> bytes = savedAfter(5, options);
+    StateReader state(bytes);
+    state.renumberInterface(numbers);
+    FixedPointDriver continued(options, tolerance, VectorXd::Zero(n));
+    continued.restore(state);
+    const std::vector<VectorXd> actual = runSteps(continued, 6, 8, numbers);
+    ASSERT_EQ(actual.size(), expected.size());
+    for (std::size_t k = 0; k < actual.size(); ++k) {
+        // Sums in another order; differences of size 1e-6 are divided by each other
+        EXPECT_LT((actual[k] - VectorXd(expected[k](numbers))).norm(), 1e-8 * expected[k].norm());
+    }
+}
+
+TEST_P(SavedHistory, thatIsCutOffIsRefused) {
+    std::vector<std::uint8_t> bytes = savedAfter(5, options);
+    bytes.pop_back();
+    StateReader state(bytes);
+    FixedPointDriver driver(options, tolerance, VectorXd::Zero(n));
+    EXPECT_THROW(driver.restore(state), PeerError);
+}
+
+INSTANTIATE_TEST_SUITE_P(Accelerations, SavedHistory,
+                         testing::Values(Acceleration::aitken, Acceleration::iqnIls,
+                                         Acceleration::mvqn));
+
+TEST(SavedHistory, isWorthItsExchanges) {
+    const CouplingOptions options = optionsOf(Acceleration::iqnIls, Extrapolation::quadratic);
+    const std::vector<std::uint8_t> bytes = savedAfter(5, options);
+    StateReader state(bytes);
+    FixedPointDriver continued(options, tolerance, VectorXd::Zero(n));
+    continued.restore(state);
+    FixedPointDriver anew(options, tolerance, VectorXd::Zero(n));
+    EXPECT_LT(runSteps(continued, 6, 6, inOrder()).size(), runSteps(anew, 6, 6, inOrder()).size());
+}
+
+TEST(SavedHistory, ofAnotherAccelerationLeavesThePredictor) {
+    const std::vector<std::uint8_t> bytes =
+        savedAfter(5, optionsOf(Acceleration::iqnIls, Extrapolation::linear));
+    StateReader state(bytes);
+    FixedPointDriver whole(optionsOf(Acceleration::iqnIls, Extrapolation::linear), tolerance,
+                           VectorXd::Zero(n));
+    runSteps(whole, 1, 5, inOrder());
+    FixedPointDriver other(optionsOf(Acceleration::mvqn, Extrapolation::linear), tolerance,
+                           VectorXd::Zero(n));
+    other.restore(state);
+    EXPECT_EQ(other.beginTimeStep(deltaT), whole.beginTimeStep(deltaT));
+}
+
+} // namespace
+} // namespace tokay::coupling
