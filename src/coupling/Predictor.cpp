@@ -37,7 +37,7 @@ void Predictor::accept(const Eigen::VectorXd& x, double deltaT) {
 void Predictor::save(StateWriter& state) const {
     state.integer(static_cast<int>(accepted_.size()));
     for (const Accepted& one : accepted_) {
-        state.number(one.time - accepted_.front().time);
+        state.number(one.time);
         state.matrix(one.x);
     }
 }

@@ -83,6 +83,8 @@ TEST(Encoding, interfaceSurvivesTheRoundTrip) {
     EXPECT_EQ(result.tolerance, sent.tolerance);
     EXPECT_EQ(result.startTime, sent.startTime);
     EXPECT_EQ(result.endTime, sent.endTime);
+    EXPECT_EQ(result.deltaT, sent.deltaT);
+    EXPECT_EQ(result.retries, sent.retries);
 }
 
 TEST(Encoding, messagesOfAStepSurviveTheRoundTrip) {
@@ -96,7 +98,8 @@ TEST(Encoding, messagesOfAStepSurviveTheRoundTrip) {
     EXPECT_EQ(forces.fluidResidual, 3e-5);
     EXPECT_EQ(forces.values, example<Forces>().values);
     const Displacements displacements = roundTrip(example<Displacements>());
-    EXPECT_EQ(displacements.state, State::accepted);
+    EXPECT_EQ(displacements.state, State::rejected);
+    EXPECT_EQ(displacements.reason, "no equilibrium");
     EXPECT_EQ(displacements.residual, 2e-5);
     EXPECT_EQ(displacements.values, (std::vector<double>{0.1, 0.2}));
 }
@@ -108,7 +111,7 @@ TEST(Encoding, textsSurviveTheRoundTrip) {
 }
 
 TEST(Encoding, isLittleEndianOnEveryMachine) {
-    const Bytes expected = {'T',  'o',  'k',  'a',  1,  0, 0,    0,
+    const Bytes expected = {'T',  'o',  'k',  'a',  2,  0, 0,    0,
                             3,    0,    0,    0,    20, 0, 0,    0,     // header
                             0x04, 0x03, 0x02, 0x01,                     // step
                             0,    0,    0,    0,    0,  0, 0xf0, 0x3f,  // time 1

@@ -46,4 +46,8 @@ void Record::add(const Displacements& answer) {
     row("", answer.values);
 }
 
+void Record::add(const RejectStep& rejection) {
+    file_ << "rejected " << time_ << ' ' << rejection.reason << std::endl;
+}
+
 } // namespace tokay::coupling

@@ -13,6 +13,7 @@ namespace tokay::coupling {
 ///   step NUMBER TIME DELTAT
 ///   forces TIME FINAL WRITE RESIDUAL ...
 ///   answer TIME STATE ...
+///   rejected TIME REASON
 class Record {
   public:
     /// @param fileName  empty: nothing is recorded
@@ -22,6 +23,7 @@ class Record {
     void add(const BeginStep& step);
     void add(const Forces& forces);
     void add(const Displacements& answer);
+    void add(const RejectStep& rejection);
 
   private:
     template <class Values>

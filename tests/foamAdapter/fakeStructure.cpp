@@ -117,6 +117,7 @@ class Structure {
             if (const auto* step = std::get_if<BeginStep>(&message)) {
                 record_.add(*step);
                 time_ = step->time;
+                deltaT_ = step->deltaT;
                 exchange_ = 0;
                 answer(State::iterate);
             } else if (const auto* forces = std::get_if<Forces>(&message)) {
@@ -124,6 +125,8 @@ class Structure {
                 ++exchange_;
                 misbehave();
                 answer(stateAfter(*forces));
+            } else if (const auto* rejection = std::get_if<RejectStep>(&message)) {
+                record_.add(*rejection);
             } else if (const auto* goodbye = std::get_if<Goodbye>(&message)) {
                 std::cout << "goodbye: " << goodbye->reason << std::endl;
                 return end();
@@ -132,11 +135,26 @@ class Structure {
     }
 
     State stateAfter(const Forces& forces) const {
+        if (cannotSolve(forces)) {
+            return State::rejected;
+        }
         if (forces.final) {
             return State::accepted;
         }
-        const bool iterates = behaves("neverConverges") || (behaves("creeps") && exchange_ < 4);
+        const bool iterates = behaves("neverConverges") || (behaves("rejects") && exchange_ < 4) ||
+                              (behaves("convergesShort") && (deltaT_ > 0.006 || exchange_ < 4)) ||
+                              (behaves("creeps") && exchange_ < 4);
         return iterates ? State::iterate : State::converged;
+    }
+
+    /// Steps longer than 0.006 s have no solution, as the second or the last
+    /// exchange shows; or those longer than 0.003 s that begin at 0.01 s.
+    bool cannotSolve(const Forces& forces) const {
+        if (behaves("failsOnce")) {
+            return std::abs(time_ - deltaT_ - 0.01) < 1e-6 && deltaT_ > 0.003;
+        }
+        return deltaT_ > 0.006 &&
+               ((behaves("rejects") && exchange_ == 2) || (behaves("rejectsLast") && forces.final));
     }
 
     void answer(State state) {
@@ -144,7 +162,12 @@ class Structure {
         displacements.state = state;
         displacements.residual = state == State::iterate ? 1 : 0;
         displacements.values.assign(interface_.points.size(), 0.0);
-        if (behaves("sway") || behaves("creeps")) {
+        if (state == State::rejected) {
+            displacements.values.clear();
+            displacements.reason = "no solution, as told";
+        }
+        if (behaves("sway") || behaves("creeps") || behaves("rejects") || behaves("rejectsLast") ||
+            behaves("convergesShort")) {
             sway(displacements.values);
         }
         if (behaves("nan") && exchange_ > 0) {
@@ -192,6 +215,7 @@ class Structure {
     Record record_;
     Interface interface_;
     double time_ = 0;
+    double deltaT_ = 0;
     int exchange_ = 0;
 };
 

@@ -37,7 +37,7 @@ finalForces()
         $1 == "points" { for (i = 2; i <= NF; ++i) x[i - 2] = $i }
         $1 == "faceOffsets" { for (i = 2; i <= NF; ++i) offset[i - 2] = $i; nFaces = NF - 2 }
         $1 == "facePoints" { for (i = 2; i <= NF; ++i) point[i - 2] = $i }
-        $1 == "forces" && $2 == time && $3 == 1 { for (i = 6; i <= NF; ++i) force[i - 6] = $i; found = NF - 5 }
+        $1 == "forces" && ($2 - time)^2 < 1e-20 && $3 == 1 { for (i = 6; i <= NF; ++i) force[i - 6] = $i; found = NF - 5 }
         END {
             if (time > 0 && found != nFaces*d) exit 1
             for (f = 0; f < nFaces; ++f) {

@@ -82,6 +82,25 @@ Foam::scalar Foam::couplingResidual::readTolerance() const
 }
 
 
+template<class Type>
+void Foam::couplingResidual::enterZero(const wordList& names)
+{
+    typedef GeometricField<Type, fvPatchField, volMesh> fieldType;
+    const fvMesh& mesh = field_.mesh();
+    for (const word& name : names)
+    {
+        if (mesh.foundObject<fieldType>(name))
+        {
+            performanceStore(mesh, 0).setSolverPerformance
+            (
+                name,
+                SolverPerformance<Type>("rejected", name)
+            );
+        }
+    }
+}
+
+
 const Foam::dictionary* Foam::couplingResidual::momentumControl
 (
     const dictionary& controls
@@ -149,6 +168,19 @@ void Foam::couplingResidual::enter(const scalar residual)
             false
         )
     );
+}
+
+
+void Foam::couplingResidual::endLoop()
+{
+    enter(0);
+    const wordList names
+    (
+        performanceStore(field_.mesh(), 0).solverPerformanceDict().toc()
+    );
+    enterZero<scalar>(names);
+    enterZero<vector>(names);
+    enterZero<symmTensor>(names);
 }
 
 

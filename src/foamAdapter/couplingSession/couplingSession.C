@@ -27,7 +27,8 @@ const Foam::Enum<Foam::couplingSession::unconverged>
 Foam::couplingSession::unconvergedNames
 ({
     {unconverged::abort, "abort"},
-    {unconverged::warn, "warn"}
+    {unconverged::warn, "warn"},
+    {unconverged::retry, "retry"}
 });
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -147,7 +148,13 @@ void Foam::couplingSession::beginTimeStep()
 
     stepStart_ = wallClock();
     current_ = statistics();
+    current_.deltaT = runTime.deltaTValue();
     accepted_ = false;
+    failure_.clear();
+    if (retry_.valid())
+    {
+        retry_->beginTimeStep();
+    }
     exchangeCorrector_ = 0;
     timeIndex_ = runTime.timeIndex();
 
@@ -187,8 +194,7 @@ void Foam::couplingSession::checkForces(const vectorField& forces)
                     << " N on patch '" << mesh_.boundary()[patchi].name()
                     << "' at " << centre << ", time "
                     << mesh_.time().timeName()
-                    << " s. The flow has diverged: reduce deltaT, or check "
-                    << "the mesh near that place";
+                    << " s. The flow has diverged";
                 error = os.str();
             }
         }
@@ -201,9 +207,14 @@ void Foam::couplingSession::checkForces(const vectorField& forces)
     Pstream::scatterList(errors);
     for (const string& text : errors)
     {
-        if (!text.empty())
+        if (!text.empty() && !retry_.valid())
         {
-            structure_.fail(text);
+            structure_.fail(text + ": reduce deltaT, or check the mesh near "
+                "that place");
+        }
+        if (failure_.empty())
+        {
+            failure_ = text;
         }
     }
 }
@@ -221,6 +232,10 @@ void Foam::couplingSession::exchange(const bool final)
     const scalar start = wallClock();
     const vectorField forces(force_(interface_.patches()));
     checkForces(forces);
+    if (!failure_.empty())
+    {
+        return;
+    }
 
     tokay::coupling::Forces message;
     message.final = final;
@@ -239,7 +254,9 @@ void Foam::couplingSession::exchange(const bool final)
           + ", corrector " + std::to_string(corrector_)
         )
     );
-    if (!final)
+    failure_ = answer.reason;
+    Pstream::scatter(failure_);
+    if (!final && failure_.empty())
     {
         nextDisplacement_ = interface_.distribute(answer.values);
 
@@ -257,24 +274,84 @@ void Foam::couplingSession::exchange(const bool final)
 }
 
 
-void Foam::couplingSession::handleUnconverged()
+Foam::string Foam::couplingSession::describeUnconverged() const
 {
     OStringStream os;
     os  << "time " << mesh_.time().timeName() << " s did not converge in "
         << pimple_.nCorrPIMPLE() << " correctors: coupling residual "
         << current_.residual << " (tolerance " << residual_.tolerance()
         << "), momentum residual " << current_.fluidResidual;
+    return os.str();
+}
 
-    if (onUnconverged_ == unconverged::warn)
+
+bool Foam::couplingSession::ranOut() const
+{
+    return
+        !residual_.isExplicit()
+     && corrector_ == pimple_.nCorrPIMPLE()
+     && !(current_.converged && residual_.momentumConverged());
+}
+
+
+void Foam::couplingSession::endLastCorrector()
+{
+    if (failure_.empty() && ranOut())
     {
-        WarningInFunction << os.str().c_str() << nl
-            << "    accepted all the same, by 'onUnconverged warn'" << endl;
+        const string text(describeUnconverged());
+        switch (onUnconverged_)
+        {
+            case unconverged::abort:
+                structure_.fail
+                (
+                    text + ". Raise nOuterCorrectors, reduce deltaT, choose "
+                    "another acceleration in the structure's case file, let "
+                    "such steps be repeated by 'onUnconverged retry', or "
+                    "accept them by 'onUnconverged warn'"
+                );
+                break;
+
+            case unconverged::warn:
+                WarningInFunction << text.c_str() << nl
+                    << "    accepted all the same, by 'onUnconverged warn'"
+                    << endl;
+                break;
+
+            case unconverged::retry:
+                failure_ = text;
+                break;
+        }
+    }
+    if (failure_.empty())
+    {
+        exchange(true);
+    }
+    if (!failure_.empty())
+    {
+        reject();
         return;
     }
-    os  << ". Raise nOuterCorrectors, reduce deltaT, choose another "
-        << "acceleration in the structure's case file, or accept such steps "
-        << "by 'onUnconverged warn'";
-    structure_.fail(os.str());
+    accepted_ = true;
+}
+
+
+void Foam::couplingSession::reject()
+{
+    if (!retry_->isPossible())
+    {
+        OStringStream os;
+        os  << ". A step of half of " << mesh_.time().deltaTValue()
+            << " s would be below 'smallestDeltaT' " << retry_->smallestDeltaT()
+            << " s of 'retry': lower it, or look for what is wrong";
+        structure_.fail(failure_ + os.str());
+    }
+    const word time(mesh_.time().timeName());
+    structure_.reject(failure_);
+    const scalar deltaT = retry_->rejectTimeStep();
+    timeIndex_ = -1;
+    Info<< "structureCoupling: the step to " << time << " s is taken back: "
+        << failure_.c_str() << nl
+        << "    it is repeated with deltaT " << deltaT << " s" << nl << endl;
 }
 
 
@@ -308,6 +385,12 @@ Foam::couplingSession::couplingSession
             "onUnconverged", dict, unconverged::abort
         )
     ),
+    retry_
+    (
+        onUnconverged_ == unconverged::retry
+      ? new stepRetry(dict, mesh)
+      : nullptr
+    ),
     interface_(mesh, selectPatches(mesh, dict), dict),
     force_(mesh, dict),
     residual_(name, force_.UName(), mesh, pimple_),
@@ -326,6 +409,7 @@ Foam::couplingSession::couplingSession
     message.startTime = mesh.time().startTime().value();
     message.endTime = mesh.time().endTime().value();
     message.deltaT = mesh.time().deltaTValue();
+    message.retries = retry_.valid();
     interface_.describe(pointDisplacement_, message);
 
     if (residual_.isExplicit())
@@ -401,23 +485,16 @@ void Foam::couplingSession::endCorrector()
 
     if (pimple_.finalIter())
     {
-        const bool ranOut =
-            !residual_.isExplicit() && corrector_ == pimple_.nCorrPIMPLE();
-        if
-        (
-            ranOut
-         && !(current_.converged && residual_.momentumConverged())
-        )
-        {
-            handleUnconverged();
-        }
-        exchange(true);
-        accepted_ = true;
+        endLastCorrector();
     }
     else if (exchangeIsDue())
     {
         exchange(false);
         residual_.enter(current_.residual);
+        if (!failure_.empty())
+        {
+            residual_.endLoop();
+        }
     }
     else
     {
@@ -438,6 +515,10 @@ Foam::couplingSession::statistics Foam::couplingSession::endTimeStep()
         );
     }
     current_.stepSeconds = wallClock() - stepStart_;
+    if (retry_.valid())
+    {
+        retry_->endTimeStep();
+    }
     return current_;
 }
 

@@ -299,10 +299,19 @@ tokay::coupling::Displacements Foam::structureConnection::exchange
         {
             channel_->send(message);
             displacements = channel_->receive<Displacements>(waitingFor);
-            checkDisplacements(displacements.values, nValues_);
+            if (displacements.state != State::rejected)
+            {
+                checkDisplacements(displacements.values, nValues_);
+            }
         }
     );
     return displacements;
+}
+
+
+void Foam::structureConnection::reject(const std::string& reason)
+{
+    onMaster([&] { channel_->send(RejectStep{reason}); });
 }
 
 

@@ -92,6 +92,7 @@ Foam::functionObjects::structureCoupling::structureCoupling
         dict,
         {
             "patches", "rho", "pRef", "viscous", "p", "U", "onUnconverged",
+            "retry",
             "exchange", "exchangeInterval",
             "structure",
             // Those of any function object
@@ -142,7 +143,7 @@ bool Foam::functionObjects::structureCoupling::execute()
     {
         Ostream& os = file();
         writeCurrentTime(os);
-        os  << tab << time_.deltaTValue() << tab << step.correctors
+        os  << tab << step.deltaT << tab << step.correctors
             << tab << step.exchanges << tab << step.residual
             << tab << step.fluidResidual << tab << step.converged
             << tab << step.stepSeconds << tab << step.forceSeconds
