@@ -40,7 +40,7 @@ struct Case {
     OutputOptions output;
     std::optional<Coupling> coupling;
     std::string supportsPlace; ///< file, line and entry: begins messages
-    std::string digest; ///< of geometry and discretisation: what the unknowns belong to
+    std::string digest;        ///< of geometry and discretisation: what the unknowns belong to
 };
 
 } // namespace tokay::structure
