@@ -147,13 +147,18 @@ Vector3d displacementAt(const Shell& shell, double xi, double eta, const VectorX
     return shell.stateAt(0, xi, eta, displacement).displacement;
 }
 
-std::vector<Scene> linearScenes(bool isQuick) {
-    const int n = isQuick ? 1 : 2;
+std::vector<Scene> roofScenes(int n) {
     std::vector<Scene> scenes;
     scenes.push_back(
         roof("Scordelis-Lo roof", onePatch(roofSurface(50, 130), 3, 8 * n, 8 * n, 0.25, concrete)));
     scenes.push_back(roof("the same, cut out of a larger patch", trimmedRoof(10 * n)));
     scenes.push_back(roof("the same, three patches that do not match", threePatchRoof(9 * n)));
+    return scenes;
+}
+
+std::vector<Scene> linearScenes(bool isQuick) {
+    const int n = isQuick ? 1 : 2;
+    std::vector<Scene> scenes = roofScenes(n);
     scenes.push_back(pinchedCylinder(16 * n));
     scenes.push_back(hemisphere(12 * n));
     scenes.push_back(hypar(1e-2, 9.3355e-5, 16 * n));

@@ -22,6 +22,10 @@ struct Scene {
 /// @param isQuick  coarser meshes
 std::vector<Scene> linearScenes(bool isQuick);
 
+/// The roof of Scordelis and Lo whole, cut out of a larger patch, and of three patches
+/// that do not match, with about 8 n elements a side.
+std::vector<Scene> roofScenes(int n);
+
 /// Cantilever with a dead shear force or an end moment that grows with time from 0
 /// to 1, E 1.2e6, thickness 0.1, width 1.
 ShellDescription shearedCantilever();

@@ -2,6 +2,7 @@
 
 #include "common/errors.hpp"
 #include "geometry/rational.hpp"
+#include "geometry/spanBasis.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -50,24 +51,28 @@ NurbsSurface::NurbsSurface(KnotVector u, KnotVector v, Points controlPoints,
 }
 
 SurfaceBasis NurbsSurface::basis(double xi, double eta, int nDerivatives) const {
-    const int p = u_.degree(), q = v_.degree();
-    const int spanU = u_.findSpan(xi), spanV = v_.findSpan(eta);
-    const Eigen::MatrixXd Nu = u_.basisDerivatives(spanU, xi, nDerivatives);
-    const Eigen::MatrixXd Nv = v_.basisDerivatives(spanV, eta, nDerivatives);
+    return spanBasis(*this, u_.findSpan(xi), v_.findSpan(eta), xi, eta, nDerivatives);
+}
+
+SurfaceBasis spanBasis(const NurbsSurface& surface, int spanU, int spanV, double xi, double eta,
+                       int nDerivatives) {
+    const int p = surface.u().degree(), q = surface.v().degree();
+    const Eigen::MatrixXd Nu = surface.u().basisDerivatives(spanU, xi, nDerivatives);
+    const Eigen::MatrixXd Nv = surface.v().basisDerivatives(spanV, eta, nDerivatives);
 
     SurfaceBasis basis;
     basis.controlPoints.reserve((p + 1) * (q + 1));
     basis.N.resize(nDerivativeRows(nDerivatives), (p + 1) * (q + 1));
     for (int j = 0; j <= q; ++j) {
         for (int i = 0; i <= p; ++i)
-            basis.controlPoints.push_back(spanU - p + i + u_.nBasis() * (spanV - q + j));
+            basis.controlPoints.push_back(spanU - p + i + surface.u().nBasis() * (spanV - q + j));
         for (int n = 0; n <= nDerivatives; ++n)
             for (int l = 0; l <= n; ++l)
                 basis.N.row(derivativeRow(n - l, l)).segment(j * (p + 1), p + 1) =
                     Nv(l, j) * Nu.row(n - l);
     }
-    if (isRational())
-        makeRational(basis.N, weights_(basis.controlPoints), nDerivatives);
+    if (surface.isRational())
+        makeRational(basis.N, surface.weights()(basis.controlPoints), nDerivatives);
     return basis;
 }
 

@@ -31,6 +31,32 @@ std::vector<double> readThickness(const CaseSection& section, const geometry::Br
     return thickness;
 }
 
+std::vector<ShellMaterial> readFaceMaterial(const CaseSection& section,
+                                            const ShellMaterial& material,
+                                            const geometry::BrepModel& model) {
+    if (section.list("faceMaterial").empty()) {
+        return {};
+    }
+    std::vector<ShellMaterial> all(model.faces().size(), material);
+    for (const CaseSection& item : section.list("faceMaterial")) {
+        try {
+            ShellMaterial& own = all[model.faceNumber(item.text("face"))];
+            own.youngsModulus = item.number("youngsModulus");
+            own.density = item.number("density");
+        } catch (const InputError& error) {
+            throw item.error("face", error.what());
+        }
+    }
+    return all;
+}
+
+EdgeMethod readEdgeMethod(const CaseSection& section) {
+    const std::string name = section.text("edgeMethod");
+    return name == "nitsche"    ? EdgeMethod::nitsche
+           : name == "lagrange" ? EdgeMethod::lagrange
+                                : EdgeMethod::penalty;
+}
+
 // Reads supports and loads, which name edges, faces and points of the model.
 class Reader {
   public:
@@ -177,19 +203,29 @@ ShellDescription readShell(const CaseSection& file, const std::string& directory
     const CaseSection section = file.section("model");
     const std::string kinematics = kinematicsOf(file);
     requireUsed(section,
-                {"kinematics", "strains", "thickness", "faceThickness",
-                 kinematics == "membrane" ? "prestress" : "thickness", "penalty"},
+                {"kinematics", "strains", "thickness", "faceThickness", "faceMaterial",
+                 kinematics == "membrane" ? "prestress" : "thickness", "edgeMethod", "penalty",
+                 "sliverTreatment"},
                 kinematics);
     ShellDescription shell{readBrepModel(file, directory), {}, readMaterial(file)};
     shell.thickness = readThickness(section, shell.model);
+    shell.faceMaterial = readFaceMaterial(section, shell.material, shell.model);
     shell.strains = section.text("strains") == "linear" ? Strains::linear : Strains::nonlinear;
     shell.bending = kinematics == "shell";
     if (section.has("prestress")) {
         const double stress = section.number("prestress");
         shell.prestress = {stress, stress, 0};
     }
+    if (section.has("edgeMethod")) {
+        shell.edgeMethod = readEdgeMethod(section);
+    }
     if (section.has("penalty")) {
         shell.penalty = section.number("penalty");
+    }
+    if (section.has("sliverTreatment")) {
+        shell.sliverTreatment = section.text("sliverTreatment") == "scaling"
+                                    ? SliverTreatment::scaling
+                                    : SliverTreatment::extension;
     }
     const Reader reader(file, shell.model);
     reader.readSupports(shell);

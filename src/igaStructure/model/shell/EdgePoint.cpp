@@ -19,12 +19,6 @@ double acrossElement(const geometry::ParameterBox& box, const Eigen::Vector2d& d
     return 1 / (direction.cwiseAbs().cwiseQuotient(box.size())).maxCoeff();
 }
 
-Eigen::Vector2d conormal(const PatchPlace& place) {
-    const Eigen::Vector3d across = place.normal().cross(place.baseVectors * place.tangent);
-    const Eigen::Matrix2d metric = place.baseVectors.transpose() * place.baseVectors;
-    return metric.inverse() * (place.baseVectors.transpose() * across);
-}
-
 struct CurvePlace {
     geometry::Parameters at, derivative;
 };
@@ -62,6 +56,10 @@ std::vector<double> commonBreakpoints(const geometry::CurveOnSurface& curve,
     return distinct;
 }
 
+double fraction(const std::vector<double>& breakpoints, double t) {
+    return (t - breakpoints.front()) / (breakpoints.back() - breakpoints.front());
+}
+
 template <class Visit>
 void forEachGaussPoint(const std::vector<double>& breakpoints, int nPoints, Visit visit) {
     const geometry::QuadratureRule& rule = geometry::gaussLegendre(nPoints);
@@ -83,26 +81,36 @@ PatchPlace::PatchPlace(const ShellPatch& thePatch, const geometry::Parameters& a
 
 PatchPlace::PatchPlace(const ShellPatch& thePatch, int i, int j, const geometry::Parameters& at,
                        const Eigen::Vector2d& parameterTangent)
-    : patch(&thePatch), tangent(parameterTangent), size(0) {
-    ShellElement element;
-    element.moveTo(thePatch, i, j);
-    element.moveToPlace(at);
-    nodes = element.nodes();
-    N.resize(3, element.nFunctions());
+    : patch(&thePatch), parameters(at), element(thePatch.patch().elementNumber(i, j)),
+      tangent(parameterTangent), size(0) {
+    ShellElement here;
+    here.moveTo(thePatch, i, j);
+    here.moveToPlace(at);
+    nodes = here.nodes();
+    N.resize(3, here.nFunctions());
     for (int row = 0; row < 3; ++row) {
-        N.row(row) = Eigen::Map<const Eigen::RowVectorXd>(element.functions().row(row), N.cols());
+        N.row(row) = Eigen::Map<const Eigen::RowVectorXd>(here.functions().row(row), N.cols());
     }
-    position = element.position();
-    baseVectors = element.reference().derivatives.leftCols<2>();
+    position = here.position();
+    baseVectors = here.reference().derivatives.leftCols<2>();
     if (!tangent.isZero(0)) {
         tangent /= (baseVectors * tangent).norm();
-        size = acrossElement(thePatch.patch().elementBox(thePatch.patch().elementNumber(i, j)),
-                             conormal(*this));
+        size = acrossElement(thePatch.patch().elementBox(element), conormal());
     }
 }
 
 Eigen::Vector3d PatchPlace::normal() const {
     return baseVectors.col(0).cross(baseVectors.col(1)).normalized();
+}
+
+double PatchPlace::elementLength() const {
+    return acrossElement(patch->patch().elementBox(element), tangent);
+}
+
+Eigen::Vector2d PatchPlace::conormal() const {
+    const Eigen::Vector3d across = (baseVectors * tangent).cross(normal());
+    const Eigen::Matrix2d metric = baseVectors.transpose() * baseVectors;
+    return metric.inverse() * (baseVectors.transpose() * across);
 }
 
 std::vector<EdgePoint> edgePoints(const ShellPatch& patch, const geometry::NurbsCurve& curve) {
@@ -111,12 +119,15 @@ std::vector<EdgePoint> edgePoints(const ShellPatch& patch, const geometry::Nurbs
     if (isPoint(inSpace)) {
         return points;
     }
-    forEachGaussPoint(
-        inSpace.breakpoints(), largestDegree(patch) + 1, [&](double t, double weight) {
-            const CurvePlace place = placeOn(curve, t);
-            const double speed = inSpace.derivatives(t, 1).row(1).norm();
-            points.push_back({weight * speed, PatchPlace(patch, place.at, place.derivative), {}});
-        });
+    forEachGaussPoint(inSpace.breakpoints(), largestDegree(patch) + 1,
+                      [&](double t, double weight) {
+                          const CurvePlace place = placeOn(curve, t);
+                          const double speed = inSpace.derivatives(t, 1).row(1).norm();
+                          points.push_back({weight * speed,
+                                            PatchPlace(patch, place.at, place.derivative),
+                                            {},
+                                            fraction(inSpace.breakpoints(), t)});
+                      });
     return points;
 }
 
@@ -140,7 +151,8 @@ std::vector<EdgePoint> edgePoints(const ShellPatch& patch, const geometry::Nurbs
         const CurvePlace here = placeOn(curve, t);
         const CurvePlace there = placeOn(otherCurve, found.xi);
         points.push_back({weight * d.row(1).norm(), PatchPlace(patch, here.at, here.derivative),
-                          PatchPlace(otherPatch, there.at, there.derivative)});
+                          PatchPlace(otherPatch, there.at, there.derivative),
+                          fraction(first.breakpoints(), t)});
     });
     return points;
 }
@@ -151,7 +163,7 @@ namespace {
 void addCrease(const ShellPatch& patch, int axis, int k, std::vector<EdgePoint>& points) {
     const geometry::KnotVector& across = axis == 0 ? patch.surface().u() : patch.surface().v();
     const geometry::KnotVector& along = axis == 0 ? patch.surface().v() : patch.surface().u();
-    const Eigen::Vector2d tangent = Eigen::Vector2d::Unit(1 - axis);
+    const Eigen::Vector2d tangent = (axis == 0 ? 1 : -1) * Eigen::Vector2d::Unit(1 - axis);
     const double knot = across.breakpoints()[k];
     for (int e = 0; e < along.nSpans(); ++e) {
         const std::vector<double> range = {along.breakpoints()[e], along.breakpoints()[e + 1]};
@@ -163,8 +175,8 @@ void addCrease(const ShellPatch& patch, int axis, int k, std::vector<EdgePoint>&
             }
             const PatchPlace before = axis == 0 ? PatchPlace(patch, k - 1, e, at, tangent)
                                                 : PatchPlace(patch, e, k - 1, at, tangent);
-            const PatchPlace after = axis == 0 ? PatchPlace(patch, k, e, at, tangent)
-                                               : PatchPlace(patch, e, k, at, tangent);
+            const PatchPlace after = axis == 0 ? PatchPlace(patch, k, e, at, -tangent)
+                                               : PatchPlace(patch, e, k, at, -tangent);
             points.push_back({weight * before.baseVectors.col(1 - axis).norm(), before, after});
         });
     }

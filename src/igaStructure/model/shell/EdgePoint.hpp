@@ -18,9 +18,16 @@ struct PatchPlace {
 
     /// Size of the element here across the tangent [m].
     double elementSize() const { return size; }
+    /// The same along the tangent.
+    double elementLength() const;
     Eigen::Vector3d normal() const;
+    /// Parameter direction across the tangent, to its right (out of the patch along a
+    /// trimming curve), of unit length in space.
+    Eigen::Vector2d conormal() const;
 
     const ShellPatch* patch;
+    geometry::Parameters parameters;
+    int element;
     std::vector<int> nodes;
     Eigen::MatrixXd N;                       ///< rows value, 1, 2 of the functions
     Eigen::Vector3d position;                ///< in the reference configuration
@@ -34,6 +41,7 @@ struct EdgePoint {
     double weight; ///< of the reference length [m]
     PatchPlace side;
     std::optional<PatchPlace> other;
+    double parameter = 0; ///< from 0 to 1 along a trimming curve
 };
 
 /// Points along a trimming curve, degree + 1 in each range that is smooth.
@@ -47,7 +55,8 @@ std::vector<EdgePoint> edgePoints(const ShellPatch& patch, const geometry::Nurbs
                                   const geometry::NurbsCurve& otherCurve, double largestGap);
 
 /// Points along the knot lines at which the functions of a patch have a kink, as
-/// where two patches meet. Those that are trimmed away are left out.
+/// where two patches meet; each side lies to the left of its tangent. Those that are
+/// trimmed away are left out.
 std::vector<EdgePoint> creasePoints(const ShellPatch& patch);
 
 /// The side of the parameter rectangle along which a trimming curve runs from end

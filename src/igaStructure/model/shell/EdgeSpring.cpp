@@ -13,14 +13,6 @@ using Eigen::VectorXd;
 
 namespace {
 
-VectorXd gather(const std::vector<int>& nodes, const VectorXd& displacement) {
-    VectorXd local(3 * nodes.size());
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-        local.segment<3>(3 * static_cast<Eigen::Index>(k)) = displacement.segment<3>(3 * nodes[k]);
-    }
-    return local;
-}
-
 // Unit tangent t of an edge, t1 a1 + t2 a2 made a unit vector.
 class UnitTangent {
   public:
@@ -66,8 +58,17 @@ EdgeSpring::EdgeSpring(const PatchPlace& side, const PatchPlace* other) : nodes_
     }
 }
 
+VectorXd EdgeSpring::gathered(const VectorXd& displacement) const {
+    VectorXd local(3 * nodes_.size());
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+        local.segment<3>(3 * static_cast<Eigen::Index>(k)) = displacement.segment<3>(3 * nodes_[k]);
+    }
+    return local;
+}
+
 DisplacementSpring::DisplacementSpring(const PatchPlace& side, const PatchPlace* other,
-                                       const std::array<bool, 3>& components, double stiffness)
+                                       const std::array<bool, 3>& components,
+                                       const Matrix3d& stiffness)
     : EdgeSpring(side, other), components_(components), stiffness_(stiffness), row_(nodes_.size()) {
     row_.head(side.N.cols()) = side.N.row(0);
     if (other) {
@@ -75,11 +76,17 @@ DisplacementSpring::DisplacementSpring(const PatchPlace& side, const PatchPlace*
     }
 }
 
+DisplacementSpring::DisplacementSpring(std::vector<int> nodes, Eigen::RowVectorXd weights,
+                                       const std::array<bool, 3>& components,
+                                       const Matrix3d& stiffness)
+    : EdgeSpring(std::move(nodes)), components_(components), stiffness_(stiffness),
+      row_(std::move(weights)) {}
+
 EdgeSpring::Answer DisplacementSpring::answer(const VectorXd& displacement, Strains) const {
     const MatrixXd rows = restRows();
-    const VectorXd held = rows * gather(nodes_, displacement);
-    return {stiffness_ * rows.transpose() * held, stiffness_ * rows.transpose() * rows,
-            0.5 * stiffness_ * held.squaredNorm()};
+    const VectorXd held = rows * gathered(displacement);
+    const MatrixXd stiff = stiffness_ * rows;
+    return {stiff.transpose() * held, rows.transpose() * stiff, 0.5 * held.dot(stiffness_ * held)};
 }
 
 MatrixXd DisplacementSpring::restRows() const {
@@ -119,7 +126,7 @@ RotationSpring::BaseVectors RotationSpring::current(const VectorXd& displacement
     BaseVectors a;
     VectorXd change = VectorXd::Zero(rows_.rows());
     if (displacement.size() > 0) {
-        change = rows_ * gather(nodes_, displacement);
+        change = rows_ * gathered(displacement);
     }
     for (std::size_t place = 0; place < places_.size(); ++place) {
         a.push_back(places_[place].baseVectors +
@@ -159,23 +166,33 @@ std::vector<RotationSpring::Measure> RotationSpring::measures(const BaseVectors&
     return {cosine, sine};
 }
 
-EdgeSpring::Answer RotationSpring::answer(const VectorXd& displacement, Strains strains) const {
+std::vector<RotationSpring::Measure> RotationSpring::changes(const VectorXd& displacement,
+                                                             Strains strains) const {
+    std::vector<Measure> found = atRest_;
     if (strains == Strains::linear) {
-        const MatrixXd rows = restRows();
-        const VectorXd held = rows * gather(nodes_, displacement);
-        return {stiffness_ * rows.transpose() * held, stiffness_ * rows.transpose() * rows,
-                0.5 * stiffness_ * held.squaredNorm()};
+        const VectorXd change = rows_ * gathered(displacement);
+        for (Measure& measure : found) {
+            measure.value = measure.gradient.dot(change);
+            measure.hessian.setZero();
+        }
+        return found;
     }
+    found = measures(current(displacement));
+    for (std::size_t k = 0; k < found.size(); ++k) {
+        found[k].value -= atRest_[k].value;
+    }
+    return found;
+}
+
+EdgeSpring::Answer RotationSpring::answer(const VectorXd& displacement, Strains strains) const {
     Answer answer;
     VectorXd gradient = VectorXd::Zero(rows_.rows());
     MatrixXd hessian = MatrixXd::Zero(rows_.rows(), rows_.rows());
-    const std::vector<Measure> now = measures(current(displacement));
-    for (std::size_t k = 0; k < now.size(); ++k) {
-        const double change = now[k].value - atRest_[k].value;
-        gradient += stiffness_ * change * now[k].gradient;
-        hessian +=
-            stiffness_ * (now[k].gradient * now[k].gradient.transpose() + change * now[k].hessian);
-        answer.energy += 0.5 * stiffness_ * change * change;
+    for (const Measure& measure : changes(displacement, strains)) {
+        gradient += stiffness_ * measure.value * measure.gradient;
+        hessian += stiffness_ * (measure.gradient * measure.gradient.transpose() +
+                                 measure.value * measure.hessian);
+        answer.energy += 0.5 * stiffness_ * measure.value * measure.value;
     }
     answer.force = rows_.transpose() * gradient;
     answer.tangent = rows_.transpose() * hessian * rows_;

@@ -7,7 +7,7 @@
 
 namespace tokay::structure {
 
-/// Energy that holds a place of a shell, or two places together (penalty).
+/// Energy that holds a place of a shell, or two places together.
 class EdgeSpring {
   public:
     /// What it adds to an element of its nodes.
@@ -31,6 +31,10 @@ class EdgeSpring {
 
   protected:
     explicit EdgeSpring(const PatchPlace& side, const PatchPlace* other);
+    explicit EdgeSpring(std::vector<int> nodes) : nodes_(std::move(nodes)) {}
+
+    /// The nodes' own of a vector with three entries a node.
+    Eigen::VectorXd gathered(const Eigen::VectorXd& displacement) const;
 
     std::vector<int> nodes_;
 };
@@ -38,16 +42,22 @@ class EdgeSpring {
 /// Holds components of the displacement, or of its jump.
 class DisplacementSpring : public EdgeSpring {
   public:
-    /// @param stiffness  energy is stiffness/2 times displacement squared [N/m]
+    /// @param stiffness  energy is half of displacement . stiffness displacement [N/m];
+    ///                   rows and columns of components that are not held are left out
     DisplacementSpring(const PatchPlace& side, const PatchPlace* other,
-                       const std::array<bool, 3>& components, double stiffness);
+                       const std::array<bool, 3>& components, const Eigen::Matrix3d& stiffness);
+
+    /// Holds a weighted sum of the nodes' displacements.
+    /// @param nodes  each once
+    DisplacementSpring(std::vector<int> nodes, Eigen::RowVectorXd weights,
+                       const std::array<bool, 3>& components, const Eigen::Matrix3d& stiffness);
 
     Answer answer(const Eigen::VectorXd& displacement, Strains strains) const override;
     Eigen::MatrixXd restRows() const override;
 
   private:
     std::array<bool, 3> components_;
-    double stiffness_;
+    Eigen::Matrix3d stiffness_;
     Eigen::RowVectorXd row_; ///< functions, those of the other place negative
 };
 
@@ -62,13 +72,18 @@ class RotationSpring : public EdgeSpring {
     Answer answer(const Eigen::VectorXd& displacement, Strains strains) const override;
     Eigen::MatrixXd restRows() const override;
 
-  private:
-    // What is held, as a function of the base vectors of one or both places.
+    /// What is held, as a function of the base vectors of one or both places.
     struct Measure {
         double value;
         Eigen::VectorXd gradient;
         Eigen::MatrixXd hessian;
     };
+    /// One or two; the values are their changes since rest.
+    std::vector<Measure> changes(const Eigen::VectorXd& displacement, Strains strains) const;
+    /// Base vectors' change by the nodes' displacement.
+    const Eigen::MatrixXd& baseVectorRows() const { return rows_; }
+
+  private:
     using BaseVectors = std::vector<Eigen::Matrix<double, 3, 2>>;
     std::vector<Measure> measures(const BaseVectors& a) const;
     BaseVectors current(const Eigen::VectorXd& displacement) const;

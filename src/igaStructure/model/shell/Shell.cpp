@@ -20,10 +20,11 @@ using Eigen::VectorXd;
 
 namespace {
 
-std::shared_ptr<const ShellSection> makeSection(const ShellMaterial& material, double thickness) {
+std::shared_ptr<const ShellSection> makeSection(MaterialLaw law, const ShellMaterial& material,
+                                                double thickness) {
     const double E = material.youngsModulus;
     const double nu = material.poissonsRatio;
-    switch (material.law) {
+    switch (law) {
     case MaterialLaw::stVenantKirchhoff:
         return std::make_shared<LinearSection>(E, nu, thickness);
     case MaterialLaw::neoHookean:
@@ -62,6 +63,12 @@ Shell::Shell(ShellDescription description)
                                      description_.thickness.size(),
                                      description_.model.faces().size()));
     }
+    if (!description_.faceMaterial.empty() &&
+        description_.faceMaterial.size() != description_.model.faces().size()) {
+        throw InputError(fmt::format("there are {} materials for {} faces: give each face one",
+                                     description_.faceMaterial.size(),
+                                     description_.model.faces().size()));
+    }
     if (!description_.bending && !description_.loads.edgeMoments.empty()) {
         throw InputError("a membrane has no stiffness against a moment: take kinematics shell");
     }
@@ -85,8 +92,8 @@ int Shell::nThreads() const {
 }
 
 void Shell::buildPatches() {
-    const ShellMaterial& material = description_.material;
     for (std::size_t face = 0; face < description_.thickness.size(); ++face) {
+        const ShellMaterial& material = description_.materialOf(static_cast<int>(face));
         const double thickness = description_.thickness[face];
         const geometry::TrimmedPatch& patch = description_.model.patch(static_cast<int>(face));
         const int least = description_.bending ? 2 : 1;
@@ -95,7 +102,8 @@ void Shell::buildPatches() {
                                          "at least in both directions",
                                          patch.name()));
         }
-        std::shared_ptr<const ShellSection> section = makeSection(material, thickness);
+        std::shared_ptr<const ShellSection> section =
+            makeSection(description_.material.law, material, thickness);
         if (!description_.bending) {
             section =
                 std::make_shared<MembraneSection>(section, thickness * description_.prestress);

@@ -1,10 +1,16 @@
 #include "igaStructure/model/shell/ShellConstraints.hpp"
 
+#include "common/errors.hpp"
+#include "igaStructure/model/shell/LagrangeSpring.hpp"
+#include "igaStructure/model/shell/NitscheSpring.hpp"
+#include "igaStructure/model/shell/SliverSpring.hpp"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 namespace tokay::structure {
@@ -50,6 +56,7 @@ class Builder {
   public:
     Builder(const ShellDescription& description, const ShellPatches& patches, int nNodes)
         : description_(description), patches_(patches) {
+        requirePossible();
         constraints_.supported.assign(3 * nNodes, false);
     }
 
@@ -68,9 +75,9 @@ class Builder {
             }
         }
         for (std::size_t face = 0; face < patches_.size() && description_.bending; ++face) {
-            addRotationSprings(bendingStiffness(static_cast<int>(face)),
-                               creasePoints(*patches_[face]));
+            holdCreases(static_cast<int>(face));
         }
+        addSliverSprings();
         constraints_.fixed = constraints_.supported;
         fixNodesWithoutBody();
         return std::move(constraints_);
@@ -81,13 +88,33 @@ class Builder {
     const geometry::NurbsCurve& curveOf(const geometry::BrepTrim& trim) const {
         return description_.model.curve(trim.face, trim.curve);
     }
-    double membraneStiffness(int face) const {
-        const double nu = description_.material.poissonsRatio;
-        return description_.penalty * description_.material.youngsModulus *
-               description_.thickness[face] / (1 - nu * nu);
+    SideStiffness stiffness(int face) const {
+        const ShellMaterial& material = description_.materialOf(face);
+        const double nu = material.poissonsRatio;
+        const double t = description_.thickness[face];
+        const double membrane = material.youngsModulus * t / (1 - nu * nu);
+        return {membrane, description_.bending ? membrane * t * t / 12 : 0};
     }
-    double bendingStiffness(int face) const {
-        return membraneStiffness(face) * std::pow(description_.thickness[face], 2) / 12;
+    double factor(EdgeMethod method) const {
+        const double usual = method == EdgeMethod::penalty    ? 1e3
+                             : method == EdgeMethod::lagrange ? 1e6
+                                                              : 1;
+        return description_.edgeMethod == method ? description_.penalty.value_or(usual) : usual;
+    }
+
+    void requirePossible() const {
+        if (description_.edgeMethod != EdgeMethod::nitsche) {
+            return;
+        }
+        if (description_.strains == Strains::nonlinear) {
+            throw InputError("edgeMethod nitsche is for linear strains; with nonlinear ones take "
+                             "lagrange or penalty");
+        }
+        if (description_.bending && description_.material.law != MaterialLaw::stVenantKirchhoff) {
+            throw InputError("edgeMethod nitsche needs the material StVenantKirchhoff for a shell "
+                             "that bends (with linear strains all materials are the same); or "
+                             "take lagrange or penalty");
+        }
     }
 
     void fix(const ShellPatch& patch, const std::vector<int>& controlPoints, int component) {
@@ -107,18 +134,16 @@ class Builder {
                     fix(patch, rowsAt(patch, *side).rim, c);
                 }
             }
-        } else {
-            addDisplacementSprings(support.fixed, trim.face, points);
         }
-        if (!support.clamped || !description_.bending) {
-            return;
-        }
+        bool clamped = support.clamped && description_.bending;
         const std::optional<int> axis = normalAxis(points);
-        if (exact && axis && support.fixed[*axis]) {
+        if (clamped && exact && axis && support.fixed[*axis]) {
             fix(patch, rowsAt(patch, *side).next, *axis);
-        } else {
-            addRotationSprings(bendingStiffness(trim.face), points);
+            clamped = false;
         }
+        const bool trims = trim.curve < nTrimmingCurves(patch.patch());
+        holdWeakly(points, exact ? std::array<bool, 3>{} : support.fixed, clamped,
+                   {trim.face, trim.face}, trims);
     }
 
     void hold(const PointSupport& support) {
@@ -133,7 +158,9 @@ class Builder {
         }
         if (!interpolates) {
             constraints_.springs.push_back(std::make_unique<DisplacementSpring>(
-                place, nullptr, support.fixed, membraneStiffness(support.face)));
+                place, nullptr, support.fixed,
+                factor(EdgeMethod::penalty) * stiffness(support.face).membrane *
+                    Eigen::Matrix3d::Identity()));
         }
     }
 
@@ -142,36 +169,85 @@ class Builder {
             std::max(description_.model.tolerance(), 1e-3 * description_.model.size());
         const std::vector<EdgePoint> points =
             edgePoints(patchOf(first), curveOf(first), patchOf(second), curveOf(second), gap);
-        // The softer patch decides: springs are stiff enough for it, and no stiffer.
-        const bool secondIsSofter = membraneStiffness(second.face) < membraneStiffness(first.face);
-        const int softer = secondIsSofter ? second.face : first.face;
-        addDisplacementSprings({true, true, true}, softer, points);
-        if (description_.bending) {
-            addRotationSprings(bendingStiffness(softer), points);
-        }
+        const bool trims = first.curve < nTrimmingCurves(patchOf(first).patch()) &&
+                           second.curve < nTrimmingCurves(patchOf(second).patch());
+        holdWeakly(points, {true, true, true}, description_.bending, {first.face, second.face},
+                   trims);
         ++constraints_.nJoints;
     }
 
-    static double elementSize(const EdgePoint& point) {
-        return point.other ? std::min(point.side.elementSize(), point.other->elementSize())
-                           : point.side.elementSize();
-    }
-
-    void addDisplacementSprings(const std::array<bool, 3>& components, int face,
-                                const std::vector<EdgePoint>& points) {
-        for (const EdgePoint& point : points) {
-            constraints_.springs.push_back(std::make_unique<DisplacementSpring>(
-                point.side, point.other ? &*point.other : nullptr, components,
-                membraneStiffness(face) * point.weight / elementSize(point)));
+    // Both sides have the same functions along a crease, so springs at its points ask
+    // for no more than these can do.
+    void holdCreases(int face) {
+        const std::vector<EdgePoint> points = creasePoints(*patches_[face]);
+        const SideStiffness own = stiffness(face);
+        if (description_.edgeMethod == EdgeMethod::nitsche) {
+            append(nitscheSprings(points, {}, true, {own, own}, factor(EdgeMethod::nitsche)));
+        } else {
+            addPenaltySprings(points, {}, true,
+                              {factor(description_.edgeMethod), own.membrane, own.bending});
         }
     }
 
-    void addRotationSprings(double stiffness, const std::vector<EdgePoint>& points) {
-        for (const EdgePoint& point : points) {
-            constraints_.springs.push_back(
-                std::make_unique<RotationSpring>(point.side, point.other ? &*point.other : nullptr,
-                                                 stiffness * point.weight / elementSize(point)));
+    static int nTrimmingCurves(const geometry::TrimmedPatch& patch) {
+        std::size_t count = 0;
+        for (const geometry::TrimmingLoop& loop : patch.loops()) {
+            count += loop.curves().size();
         }
+        return static_cast<int>(count);
+    }
+
+    // Across an edge inside of a patch tractions jump, so Nitsche's method has none to
+    // take there.
+    void holdWeakly(const std::vector<EdgePoint>& points, const std::array<bool, 3>& components,
+                    bool rotation, const std::array<int, 2>& faces, bool trims) {
+        const bool nothing = components == std::array<bool, 3>{} && !rotation;
+        if (points.empty() || nothing) {
+            return;
+        }
+        const std::array<SideStiffness, 2> sides = {stiffness(faces[0]), stiffness(faces[1])};
+        // The softer patch decides: springs are stiff enough for it, and no stiffer.
+        const SideStiffness& softer = sides[sides[1].membrane < sides[0].membrane ? 1 : 0];
+        if (description_.edgeMethod == EdgeMethod::penalty) {
+            addPenaltySprings(points, components, rotation,
+                              {factor(EdgeMethod::penalty), softer.membrane, softer.bending});
+        } else if (description_.edgeMethod == EdgeMethod::nitsche && trims) {
+            append(
+                nitscheSprings(points, components, rotation, sides, factor(EdgeMethod::nitsche)));
+        } else {
+            append(
+                lagrangeSprings(points, components, rotation,
+                                {factor(EdgeMethod::lagrange), softer.membrane, softer.bending}));
+        }
+    }
+
+    void addPenaltySprings(const std::vector<EdgePoint>& points,
+                           const std::array<bool, 3>& components, bool rotation,
+                           const SpringStiffness& stiffness) {
+        for (const EdgePoint& point : points) {
+            const PatchPlace* other = point.other ? &*point.other : nullptr;
+            if (components != std::array<bool, 3>{}) {
+                constraints_.springs.push_back(std::make_unique<DisplacementSpring>(
+                    point.side, other, components, point.weight * stiffness.ofDisplacement(point)));
+            }
+            if (rotation) {
+                constraints_.springs.push_back(std::make_unique<RotationSpring>(
+                    point.side, other, point.weight * stiffness.ofRotation(point)));
+            }
+        }
+    }
+
+    void addSliverSprings() {
+        for (std::size_t face = 0; face < patches_.size(); ++face) {
+            if (description_.sliverTreatment == SliverTreatment::extension) {
+                const SideStiffness own = stiffness(static_cast<int>(face));
+                append(sliverSprings(*patches_[face], own.membrane, own.bending));
+            }
+        }
+    }
+
+    void append(std::vector<std::unique_ptr<EdgeSpring>> springs) {
+        std::move(springs.begin(), springs.end(), std::back_inserter(constraints_.springs));
     }
 
     void fixNodesWithoutBody() {

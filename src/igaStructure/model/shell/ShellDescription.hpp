@@ -7,6 +7,7 @@
 #include "igaStructure/model/Strains.hpp"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace tokay::structure {
@@ -63,6 +64,19 @@ struct ShellLoads {
     std::vector<PointForce> pointForces;
 };
 
+/// How patches are joined along edges, and edges held weakly.
+enum class EdgeMethod {
+    penalty,
+    nitsche, ///< linear strains; St. Venant-Kirchhoff material if there is bending
+    lagrange ///< multipliers with a small compliance
+};
+
+/// What is done about elements of which trimming leaves a sliver.
+enum class SliverTreatment {
+    scaling,  ///< unknowns are scaled, as always
+    extension ///< their functions are tied to those of whole elements, too
+};
+
 /// All that makes a shell or membrane.
 struct ShellDescription {
     /// Faces in the basis of the displacement; they are joined at edges of two or
@@ -70,6 +84,11 @@ struct ShellDescription {
     geometry::BrepModel model;
     std::vector<double> thickness; ///< of each face [m]
     ShellMaterial material = {};
+    /// Of each face; empty: the one above. Damping and law are those of the one above.
+    std::vector<ShellMaterial> faceMaterial = {};
+    const ShellMaterial& materialOf(int face) const {
+        return faceMaterial.empty() ? material : faceMaterial[face];
+    }
     Strains strains = Strains::nonlinear;
     bool bending = true; ///< false: a membrane
     /// Of a membrane: 11, 22, 12 in the frame of the first parameter line [Pa].
@@ -77,9 +96,12 @@ struct ShellDescription {
     std::vector<EdgeSupport> edgeSupports = {};
     std::vector<PointSupport> pointSupports = {};
     ShellLoads loads = {};
-    /// Stiffness of springs that hold weakly, over E t / ((1 - nu^2) h) and
-    /// E t^3 / (12 (1 - nu^2) h), h being the size of an element.
-    double penalty = 1e3;
+    EdgeMethod edgeMethod = EdgeMethod::penalty;
+    /// penalty, lagrange: stiffness of springs that hold weakly, over
+    /// E t / ((1 - nu^2) h) and E t^3 / (12 (1 - nu^2) h), h being the size of an element;
+    /// 1e3 and 1e6 if not given. nitsche: factor on the stabilisation, 1 if not given.
+    std::optional<double> penalty = std::nullopt;
+    SliverTreatment sliverTreatment = SliverTreatment::scaling;
     geometry::QuadratureOptions cutRule = {};
 };
 

@@ -1,0 +1,185 @@
+#include "exampleShell.hpp"
+#include "trimmedDisc.hpp"
+
+#include "common/errors.hpp"
+#include "igaStructure/analysis/naturalModes.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+using namespace tokay;
+using namespace tokay::structure;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using geometry::TrimmedPatch;
+
+namespace {
+
+constexpr EdgeMethod methods[] = {EdgeMethod::penalty, EdgeMethod::nitsche, EdgeMethod::lagrange};
+
+DiscError solvedDisc(EdgeMethod method, int degree, int n, int nParts) {
+    ShellDescription description = discShell({}, degree, n, nParts);
+    description.edgeMethod = method;
+    description.sliverTreatment = SliverTreatment::extension;
+    Shell shell(std::move(description));
+    return discError(shell, solveStatic(shell));
+}
+
+// Two plates that meet at x = 1 along y, with meshes that do not match; the second
+// one may be kinked. One edge of the first is clamped.
+ShellDescription twoPlates(double kink, Strains strains, EdgeMethod method) {
+    const Vector3d along(0, 1, 0);
+    const TrimmedPatch first(geometry::plate({0, 0, 0}, {1, 0, 0}, along), "first");
+    const TrimmedPatch second(
+        geometry::plate({1, 0, 0}, {std::cos(kink), 0, std::sin(kink)}, along), "second");
+    ShellDescription plates{
+        geometry::BrepModel({{first.refined(3, 3, 2, 2)}, {second.refined(4, 4, 1, 3)}},
+                            {{"joint", {{0, right}, {1, left}}}}),
+        {0.05, 0.05},
+        {1e6, 0, 1}};
+    plates.strains = strains;
+    plates.edgeMethod = method;
+    plates.edgeSupports = {support(left, {true, true, true}, true)};
+    return plates;
+}
+
+MatrixXd stiffnessOf(const Shell& shell) {
+    SparseMatrix tangent;
+    shell.internalForce(VectorXd::Zero(shell.nUnknowns()), tangent);
+    return MatrixXd(tangent);
+}
+
+} // namespace
+
+TEST(ShellEdges, errors_of_nitsche_and_lagrange_fall_with_the_order_of_the_degree) {
+    // Clamped disc cut out of squares, in one part and in two. Orders over two
+    // refinements: degree + 1 of u and (2 at degree 2) of w, degree - 1 of second
+    // derivatives; 0.6 below, since the first mesh is coarse.
+    constexpr double slack = 0.6;
+    for (const EdgeMethod method : {EdgeMethod::nitsche, EdgeMethod::lagrange}) {
+        for (const int degree : {3, 4}) {
+            for (const int nParts : {1, 2}) {
+                const DiscError coarse = solvedDisc(method, degree, 6, nParts);
+                const DiscError fine = solvedDisc(method, degree, 24, nParts);
+                const auto order = [](double from, double to) { return std::log2(from / to) / 2; };
+                EXPECT_GT(order(coarse.deflection, fine.deflection), degree + 1 - slack)
+                    << degree << " " << nParts;
+                EXPECT_GT(order(coarse.bending, fine.bending), degree - 1 - slack);
+                EXPECT_GT(order(coarse.displacement, fine.displacement), degree + 1 - slack);
+                EXPECT_GT(order(coarse.strain, fine.strain), degree - slack);
+            }
+        }
+        const DiscError coarse = solvedDisc(method, 2, 12, 2);
+        const DiscError fine = solvedDisc(method, 2, 24, 2);
+        EXPECT_GT(std::log2(coarse.deflection / fine.deflection), 2 - 0.3);
+        EXPECT_GT(std::log2(coarse.bending / fine.bending), 1 - 0.3);
+    }
+}
+
+TEST(ShellEdges, joined_plates_bend_as_one_whatever_the_method) {
+    // Cantilever of length 2 under an end force: w = F L^3 / (3 D), which cubics hold
+    // exactly; penalty gives way by about a thousandth.
+    for (const EdgeMethod method : methods) {
+        ShellDescription plates = twoPlates(0, Strains::linear, method);
+        plates.loads.edgeForces = {{{1, right}, VectorField::constant({0, 0, 1e-3})}};
+        Shell shell(std::move(plates));
+        const double D = 1e6 * std::pow(0.05, 3) / 12;
+        const double expected = 1e-3 * 8 / (3 * D);
+        const double tip = shell.stateAt(1, 1, 0.5, solveStatic(shell)).displacement[2];
+        const double allowed = method == EdgeMethod::nitsche    ? 1e-9
+                               : method == EdgeMethod::lagrange ? 1e-5
+                                                                : 1e-2;
+        EXPECT_NEAR(tip, expected, allowed * expected) << static_cast<int>(method);
+    }
+}
+
+TEST(ShellEdges, kinked_plates_carry_bending_across_the_edge_by_nitsche) {
+    // Under a force along x at the end; against the penalty method with stiff springs.
+    double tips[2];
+    for (const bool nitsche : {false, true}) {
+        ShellDescription plates = twoPlates(1.1, Strains::linear, EdgeMethod::penalty);
+        plates.penalty = 1e6;
+        if (nitsche) {
+            plates.edgeMethod = EdgeMethod::nitsche;
+            plates.penalty.reset();
+        }
+        plates.loads.edgeForces = {{{1, right}, VectorField::constant({1e-3, 0, 0})}};
+        Shell shell(std::move(plates));
+        tips[nitsche] = shell.stateAt(1, 1, 0.5, solveStatic(shell)).displacement[0];
+    }
+    EXPECT_NEAR(tips[1], tips[0], 1e-5 * std::abs(tips[0]));
+}
+
+TEST(ShellEdges, rigid_motions_meet_no_force_at_joints) {
+    for (const double kink : {0.0, 0.7}) {
+        // Nitsche: small ones. Lagrange: any.
+        const Shell small(twoPlates(kink, Strains::linear, EdgeMethod::nitsche));
+        const VectorXd turned = motion(small, [](const Vector3d& X) -> Vector3d {
+            return X + Vector3d(1, 2, 3) + Vector3d(0.2, -0.4, 0.1).cross(X);
+        });
+        const double scale = stiffnessOf(small).diagonal().maxCoeff();
+        EXPECT_LT(small.internalForce(turned).force.lpNorm<Eigen::Infinity>(), 1e-12 * scale);
+
+        const Shell large(twoPlates(kink, Strains::nonlinear, EdgeMethod::lagrange));
+        const Eigen::AngleAxisd rotation(4.0, Vector3d(1, -2, 0.5).normalized());
+        const VectorXd d = motion(
+            large, [&](const Vector3d& X) -> Vector3d { return rotation * X + Vector3d(1, 2, 3); });
+        EXPECT_LT(large.internalForce(d).force.lpNorm<Eigen::Infinity>(),
+                  1e-13 * stiffnessOf(large).diagonal().maxCoeff());
+    }
+}
+
+TEST(ShellEdges, tangent_of_multipliers_equals_finite_differences) {
+    for (const double kink : {0.0, 0.7}) {
+        ShellDescription plates = twoPlates(kink, Strains::nonlinear, EdgeMethod::lagrange);
+        plates.penalty = 1e3; // so that the springs do not hide the rest
+        const Shell shell(std::move(plates));
+        const VectorXd d = randomMotion(shell.nUnknowns(), 0.02);
+        SparseMatrix tangent;
+        shell.internalForce(d, tangent);
+        MatrixXd differences(d.size(), d.size());
+        const double h = 1e-6; // truncation and rounding both below 1e-8
+        for (Eigen::Index k = 0; k < d.size(); ++k) {
+            const VectorXd shift = h * VectorXd::Unit(d.size(), k);
+            differences.col(k) =
+                (shell.internalForce(d + shift).force - shell.internalForce(d - shift).force) /
+                (2 * h);
+        }
+        EXPECT_LT((MatrixXd(tangent) - differences).norm(), 1e-7 * differences.norm());
+    }
+}
+
+TEST(ShellEdges, plates_of_any_ratio_of_stiffness_bend_as_their_moduli_say) {
+    // Cantilever of two parts, moment M at its end: w = M/(2 D1) + M/D1 + M/(2 D2).
+    // Rounding of the stiff part's equations shows in the soft one.
+    for (const EdgeMethod method : methods) {
+        for (int exponent = -6; exponent <= 6; exponent += 2) {
+            ShellDescription plates = twoPlates(0, Strains::linear, method);
+            const double ratio = std::pow(10.0, exponent);
+            plates.faceMaterial = {{1e6, 0, 1}, {1e6 * ratio, 0, 1}};
+            plates.loads.edgeMoments = {{{1, right}, ScalarField::constant(-1e-3)}};
+            Shell shell(std::move(plates));
+            const double D = 1e6 * std::pow(0.05, 3) / 12;
+            const double expected = 1e-3 / D * (1.5 + 0.5 / ratio);
+            const double tip = shell.stateAt(1, 1, 0.5, solveStatic(shell)).displacement[2];
+            EXPECT_NEAR(tip, expected, 2e-3 * expected)
+                << static_cast<int>(method) << " " << exponent;
+        }
+    }
+}
+
+TEST(ShellEdges, slivers_do_not_stop_a_trimmed_disc_if_they_are_extended) {
+    // Degree 4 on 24 x 24: what trimming leaves of some functions is below rounding.
+    for (const EdgeMethod method : methods) {
+        EXPECT_LT(solvedDisc(method, 4, 24, 2).deflection, 1e-3);
+    }
+}
+
+TEST(ShellEdges, nitsche_refuses_what_it_cannot_do) {
+    EXPECT_THROW(Shell(twoPlates(0, Strains::nonlinear, EdgeMethod::nitsche)), InputError);
+    ShellDescription plates = twoPlates(0, Strains::linear, EdgeMethod::nitsche);
+    plates.material.law = MaterialLaw::neoHookean;
+    EXPECT_THROW(Shell(std::move(plates)), InputError);
+}
