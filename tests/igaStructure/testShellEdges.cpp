@@ -35,7 +35,7 @@ ShellDescription twoPlates(double kink, Strains strains, EdgeMethod method) {
     const TrimmedPatch second(
         geometry::plate({1, 0, 0}, {std::cos(kink), 0, std::sin(kink)}, along), "second");
     ShellDescription plates{
-        geometry::BrepModel({{first.refined(3, 3, 2, 2)}, {second.refined(4, 4, 1, 3)}},
+        geometry::BrepModel({{first.refined(3, 3, 2, 1)}, {second.refined(4, 4, 1, 2)}},
                             {{"joint", {{0, right}, {1, left}}}}),
         {0.05, 0.05},
         {1e6, 0, 1}};
@@ -173,7 +173,7 @@ TEST(ShellEdges, plates_of_any_ratio_of_stiffness_bend_as_their_moduli_say) {
 TEST(ShellEdges, slivers_do_not_stop_a_trimmed_disc_if_they_are_extended) {
     // Degree 4 on 24 x 24: what trimming leaves of some functions is below rounding.
     for (const EdgeMethod method : methods) {
-        EXPECT_LT(solvedDisc(method, 4, 24, 2).deflection, 1e-3);
+        EXPECT_LT(solvedDisc(method, 4, 24, 2).deflection, 2e-3); // penalty gives way by half
     }
 }
 

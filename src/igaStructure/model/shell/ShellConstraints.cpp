@@ -228,7 +228,9 @@ class Builder {
             const PatchPlace* other = point.other ? &*point.other : nullptr;
             if (components != std::array<bool, 3>{}) {
                 constraints_.springs.push_back(std::make_unique<DisplacementSpring>(
-                    point.side, other, components, point.weight * stiffness.ofDisplacement(point)));
+                    point.side, other, components,
+                    point.weight * stiffness.ofAnyDisplacement(point) *
+                        Eigen::Matrix3d::Identity()));
             }
             if (rotation) {
                 constraints_.springs.push_back(std::make_unique<RotationSpring>(

@@ -19,9 +19,13 @@ bool isKink(const EdgePoint& point) {
 
 } // namespace
 
+double SpringStiffness::ofAnyDisplacement(const EdgePoint& point) const {
+    return factor * membrane / elementSize(point);
+}
+
 Eigen::Matrix3d SpringStiffness::ofDisplacement(const EdgePoint& point) const {
     const double h = elementSize(point);
-    const double along = factor * membrane / h;
+    const double along = ofAnyDisplacement(point);
     const double across = bending > 0 && !isKink(point) ? factor * bending / (h * h * h) : along;
     const Eigen::Vector3d normal = point.side.normal();
     return along * Eigen::Matrix3d::Identity() + (across - along) * normal * normal.transpose();

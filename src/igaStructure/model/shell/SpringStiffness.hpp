@@ -11,6 +11,8 @@ struct SpringStiffness {
     double membrane; ///< E t / (1 - nu^2) [N/m]
     double bending;  ///< E t^3 / 12 / (1 - nu^2) [N m]; 0: a membrane
 
+    /// Against displacement in all directions, per length: membrane / h [N/m^2].
+    double ofAnyDisplacement(const EdgePoint& point) const;
     /// Against displacement, per length: membrane / h along the surface, and across it
     /// bending / h^3; the former in all directions for a membrane and where the
     /// surface has a kink, since one side's membrane is in the other one's way [N/m^2].
