@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstring>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace tokay::coupling {
@@ -25,6 +26,15 @@ class ByteReader {
     void operator()(double& value) {
         const auto bits = littleEndian<std::uint64_t>();
         std::memcpy(&value, &bits, sizeof value);
+    }
+    void operator()(std::optional<InterfaceBalance>& balance) {
+        bool given = false;
+        (*this)(given);
+        balance.reset();
+        if (given) {
+            std::apply([&](auto&... value) { ((*this)(value), ...); },
+                       numbersOf(balance.emplace()));
+        }
     }
     void operator()(std::string& text) {
         const std::size_t n = count(1);

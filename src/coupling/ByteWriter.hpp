@@ -25,6 +25,12 @@ class ByteWriter {
         std::memcpy(&bits, &value, sizeof bits);
         littleEndian(bits);
     }
+    void operator()(const std::optional<InterfaceBalance>& balance) {
+        (*this)(balance.has_value());
+        if (balance) {
+            std::apply([&](const auto&... value) { ((*this)(value), ...); }, numbersOf(*balance));
+        }
+    }
     void operator()(const std::string& text) {
         count(text.size());
         bytes_.insert(bytes_.end(), text.begin(), text.end());

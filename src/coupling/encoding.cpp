@@ -26,7 +26,7 @@ auto fieldsOf(M& m) {
         return std::tie(m.role, m.program, m.token, m.caseDigest);
     } else if constexpr (std::is_same_v<Type, Interface>) {
         return std::tie(m.dimension, m.name, m.points, m.faceOffsets, m.facePoints, m.displacements,
-                        m.tolerance, m.startTime, m.endTime, m.deltaT, m.retries);
+                        m.tolerance, m.startTime, m.endTime, m.deltaT, m.retries, m.audit);
     } else if constexpr (std::is_same_v<Type, Accepted>) {
         return std::tie(m.report);
     } else if constexpr (std::is_same_v<Type, BeginStep>) {
@@ -34,7 +34,7 @@ auto fieldsOf(M& m) {
     } else if constexpr (std::is_same_v<Type, Forces>) {
         return std::tie(m.final, m.write, m.fluidResidual, m.values);
     } else if constexpr (std::is_same_v<Type, Displacements>) {
-        return std::tie(m.state, m.residual, m.values, m.reason);
+        return std::tie(m.state, m.residual, m.values, m.reason, m.balance);
     } else if constexpr (std::is_same_v<Type, Goodbye>) {
         return std::tie(m.reason);
     } else if constexpr (std::is_same_v<Type, RejectStep>) {

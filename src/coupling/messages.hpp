@@ -1,7 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -35,13 +38,16 @@ struct Interface {
     std::string name;                       ///< of the coupling, for messages
     std::vector<double> points;             ///< nPoints x dimension, row by row [m]
     std::vector<std::uint32_t> faceOffsets; ///< nFaces + 1, into facePoints
-    std::vector<std::uint32_t> facePoints;  ///< point numbers, face by face
-    std::vector<double> displacements;      ///< at the start, as points [m]
-    double tolerance = 0;                   ///< that the residual must fall below; 1: explicit
-    double startTime = 0;                   ///< [s]
-    double endTime = 0;                     ///< [s]
-    double deltaT = 0;                      ///< of the first step, about [s]
-    bool retries = false;                   ///< a rejected step is tried again, shorter
+    /// Point numbers, face by face; the normal points out of the fluid (2D: the
+    /// fluid lies left of the edge from the first point to the second).
+    std::vector<std::uint32_t> facePoints;
+    std::vector<double> displacements; ///< at the start, as points [m]
+    double tolerance = 0;              ///< that the residual must fall below; 1: explicit
+    double startTime = 0;              ///< [s]
+    double endTime = 0;                ///< [s]
+    double deltaT = 0;                 ///< of the first step, about [s]
+    bool retries = false;              ///< a rejected step is tried again, shorter
+    bool audit = false;                ///< wants an InterfaceBalance with each accepted step
 };
 
 /// The structure can start: what it will model and how well the two sides fit.
@@ -64,6 +70,22 @@ struct Forces {
     std::vector<double> values; ///< nFaces x dimension [N], per unit depth in 2D [N/m]
 };
 
+/// What has to be the same on both sides of the interface at the end of a step;
+/// a plane scene: per unit depth, and a moment along z only.
+struct InterfaceBalance {
+    std::array<double, 3> force{};  ///< of the fluid on the structure [N]
+    std::array<double, 3> moment{}; ///< about the origin [N m]
+    double power = 0;               ///< force times motion in the step, over its length [W]
+    double sweptVolume = 0;         ///< by the interface in the step, out of the fluid [m^3]
+};
+
+/// Its numbers in their order on the wire.
+template <class Balance>
+auto numbersOf(Balance& b) {
+    return std::tie(b.force[0], b.force[1], b.force[2], b.moment[0], b.moment[1], b.moment[2],
+                    b.power, b.sweptVolume);
+}
+
 /// The step has failed; it begins again with a shorter BeginStep. No answer.
 struct RejectStep {
     std::string reason;
@@ -75,9 +97,10 @@ enum class State : std::uint8_t { iterate, converged, accepted, rejected };
 /// Displacements of the interface points for the next exchange.
 struct Displacements {
     State state = State::iterate;
-    double residual = 1;        ///< converged when below Interface::tolerance
-    std::vector<double> values; ///< nPoints x dimension [m]; empty if rejected
-    std::string reason;         ///< why rejected
+    double residual = 1;                       ///< converged when below Interface::tolerance
+    std::vector<double> values;                ///< nPoints x dimension [m]; empty if rejected
+    std::string reason{};                      ///< why rejected
+    std::optional<InterfaceBalance> balance{}; ///< of an accepted step, if asked for
 };
 
 /// The sender ends the run in good order.

@@ -21,6 +21,7 @@ inline Interface exampleInterface() {
     interface.endTime = 5;
     interface.deltaT = 1e-3;
     interface.retries = true;
+    interface.audit = true;
     return interface;
 }
 
@@ -31,7 +32,11 @@ inline std::vector<Message> exampleMessages() {
             Accepted{"coverage 100 %\nlargest gap 1e-9 m"},
             BeginStep{12, 0.75, 1e-3},
             Forces{true, true, 3e-5, {1, -2.5, std::numeric_limits<double>::denorm_min(), -0.0}},
-            Displacements{State::rejected, 2e-5, {0.1, 0.2}, "no equilibrium"},
+            Displacements{State::rejected,
+                          2e-5,
+                          {0.1, 0.2},
+                          "no equilibrium",
+                          InterfaceBalance{{1, 2, 3}, {4, 5, 6}, 7, 8}},
             Goodbye{"end time reached"},
             Failure{"the mesh has a cell of negative volume"},
             RejectStep{"not converged"}};

@@ -15,10 +15,10 @@ makeCase()
     cd "$1"
 }
 
-# makeFlap FOLDER: a case coupled to igaStructure, with the tutorial's flap
+# makeFlap FOLDER [MESH]: a case coupled to igaStructure, with the tutorial's flap
 makeFlap()
 {
-    makeCase "$1"
+    makeCase "$@"
     cp -r "$TOKAY_ROOT/tutorials/perpendicularFlap/structure" .
     removeEntry system/controlDict functions.structure.structure.program
     removeEntry system/controlDict functions.structure.structure.arguments

@@ -65,8 +65,8 @@ TEST(CoupledRun, constant_force_moves_the_structure_as_the_same_traction_does_al
         ASSERT_EQ(rows.size(), expected.size());
         for (std::size_t k = 0; k < rows.size(); ++k) {
             EXPECT_NEAR(rows[k][0], expected[k][0], 1e-12);
-            // Forces of faces act at their centres: the midpoint rule with 50 faces an
-            // element, against exact integration: (1/50)^2/24 of the second derivative.
+            // Forces of faces act at their points: the trapezoidal rule with 50 faces an
+            // element, against exact integration: (1/50)^2/12 of the second derivative.
             EXPECT_NEAR(rows[k][1], expected[k][1], 5e-5 * std::abs(expected.back()[1]));
         }
     }

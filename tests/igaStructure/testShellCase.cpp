@@ -175,7 +175,7 @@ TEST_P(ShellTransferKinds, points_on_both_sides_keep_virtual_work_force_and_mome
     }
     Coupling coupling;
     coupling.gapLimit = 0.1;
-    const auto transfer = body->transfer(coupling, points, points);
+    const auto transfer = body->transfer(coupling, points);
     const Eigen::Index n = body->model().nUnknowns();
     const Eigen::VectorXd d = 0.05 * Eigen::VectorXd::Random(n);
     const Eigen::VectorXd v = Eigen::VectorXd::Random(n);

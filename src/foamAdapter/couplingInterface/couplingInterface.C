@@ -139,7 +139,7 @@ std::string Foam::couplingInterface::reduceToPlane
     labelList& partner
 ) const
 {
-    const direction normal = 3 - components_[0] - components_[1];
+    const direction normal = emptyDirection();
     const scalar middle =
         0.5*(mesh_.bounds().min()[normal] + mesh_.bounds().max()[normal]);
 
@@ -162,9 +162,10 @@ std::string Foam::couplingInterface::reduceToPlane
         {
             const label next = f.nextLabel(fp);
             const bool inPlane = points[f[fp]][normal] < middle;
-            if (inPlane && nInPlane < 2)
+            if (inPlane && points[next][normal] < middle)
             {
-                edge[nInPlane] = partner[f[fp]];
+                edge[0] = partner[f[fp]];
+                edge[1] = partner[next];
             }
             nInPlane += inPlane;
             if (!inPlane && points[next][normal] < middle)
@@ -186,6 +187,10 @@ std::string Foam::couplingInterface::reduceToPlane
                 "a coupled face of the 2D mesh near " + where.str()
               + " does not span the empty direction: each must have two "
                 "points in each of the two empty planes";
+        }
+        if (normal == vector::Y)
+        {
+            edge.flip(); // x and z are left-handed seen against y
         }
         f = edge;
     }
@@ -346,6 +351,53 @@ std::vector<double> Foam::couplingInterface::collect
             )/depth_
         )
     );
+}
+
+
+void Foam::couplingInterface::removeEmptyDirection
+(
+    vector& force,
+    vector& moment
+) const
+{
+    if (components_.size() == 2)
+    {
+        const direction normal = emptyDirection();
+        const scalar kept = moment[normal];
+        force[normal] = 0;
+        moment = Zero;
+        moment[normal] = kept;
+    }
+}
+
+
+Foam::vector Foam::couplingInterface::force
+(
+    const std::array<double, 3>& sent
+) const
+{
+    vector result(Zero);
+    forAll(components_, c)
+    {
+        result[components_[c]] = depth_*sent[c];
+    }
+    return result;
+}
+
+
+Foam::vector Foam::couplingInterface::moment
+(
+    const std::array<double, 3>& sent
+) const
+{
+    if (components_.size() == 3)
+    {
+        return vector(sent[0], sent[1], sent[2]);
+    }
+    vector result(Zero);
+    const direction normal = emptyDirection();
+    result[normal] = (normal == vector::Y ? -depth_ : depth_)*sent[2];
+    return result;
 }
 
 

@@ -150,6 +150,7 @@ void Foam::couplingSession::beginTimeStep()
     current_ = statistics();
     current_.deltaT = runTime.deltaTValue();
     accepted_ = false;
+    audited_ = false;
     failure_.clear();
     if (retry_.valid())
     {
@@ -236,6 +237,10 @@ void Foam::couplingSession::exchange(const bool final)
     {
         return;
     }
+    if (final && audit_.active())
+    {
+        audit_.measure(interface_, forces);
+    }
 
     tokay::coupling::Forces message;
     message.final = final;
@@ -267,10 +272,30 @@ void Foam::couplingSession::exchange(const bool final)
         current_.residual = state[0];
         current_.converged = state[1] > 0;
     }
+    else if (answer.balance)
+    {
+        audit(*answer.balance);
+    }
     exchangeCorrector_ = corrector_;
     ++current_.exchanges;
     current_.forceSeconds += sent - start;
     current_.exchangeSeconds += wallClock() - sent;
+}
+
+
+void Foam::couplingSession::audit
+(
+    const tokay::coupling::InterfaceBalance& answer
+)
+{
+    const scalar depth = interface_.depth();
+    conservationAudit::balance structure;
+    structure.force = interface_.force(answer.force);
+    structure.moment = interface_.moment(answer.moment);
+    structure.power = depth*answer.power;
+    structure.sweptVolume = depth*answer.sweptVolume;
+    audit_.compare(structure);
+    audited_ = true;
 }
 
 
@@ -395,6 +420,8 @@ Foam::couplingSession::couplingSession
     force_(mesh, dict),
     residual_(name, force_.UName(), mesh, pimple_),
     policy_(dict, residual_),
+    audit_(mesh, dict),
+    audited_(false),
     pointDisplacement_(findPointDisplacement()),
     structure_(dict, mesh.time()),
     timeIndex_(-1),
@@ -406,6 +433,7 @@ Foam::couplingSession::couplingSession
     tokay::coupling::Interface message;
     message.name = name;
     message.tolerance = residual_.tolerance();
+    message.audit = audit_.active();
     message.startTime = mesh.time().startTime().value();
     message.endTime = mesh.time().endTime().value();
     message.deltaT = mesh.time().deltaTValue();

@@ -68,6 +68,33 @@ void Foam::functionObjects::structureCoupling::writeFileHeader()
 }
 
 
+void Foam::functionObjects::structureCoupling::writeBalance
+(
+    const conservationAudit& audit
+)
+{
+    if (!balance_)
+    {
+        balance_.reset
+        (
+            new writeFile(mesh_, name(), "conservation", dict_)
+        );
+        Ostream& os = balance_->file();
+        balance_->writeHeader(os, "Both sides of the interface, " + name());
+        balance_->writeCommented(os, "time[s]");
+        for (const word& column : conservationAudit::columns())
+        {
+            balance_->writeTabbed(os, column);
+        }
+        os  << endl;
+    }
+    Ostream& os = balance_->file();
+    balance_->writeCurrentTime(os);
+    audit.writeRow(os);
+    os  << endl;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::functionObjects::structureCoupling::structureCoupling
@@ -78,7 +105,8 @@ Foam::functionObjects::structureCoupling::structureCoupling
 )
 :
     fvMeshFunctionObject(name, runTime, dict),
-    writeFile(mesh_, name, "coupling", dict)
+    writeFile(mesh_, name, "coupling", dict),
+    dict_(dict)
 {
     if (timeControl::entriesPresent(dict))
     {
@@ -93,7 +121,7 @@ Foam::functionObjects::structureCoupling::structureCoupling
         {
             "patches", "rho", "pRef", "viscous", "p", "U", "onUnconverged",
             "retry",
-            "exchange", "exchangeInterval",
+            "exchange", "exchangeInterval", "conservationLimit",
             "structure",
             // Those of any function object
             "type", "libs", "functionObjectLibs", "enabled", "log", "region",
@@ -148,6 +176,10 @@ bool Foam::functionObjects::structureCoupling::execute()
             << tab << step.fluidResidual << tab << step.converged
             << tab << step.stepSeconds << tab << step.forceSeconds
             << tab << step.exchangeSeconds << endl;
+    }
+    if (const conservationAudit* audit = session().audit())
+    {
+        writeBalance(*audit);
     }
     return true;
 }

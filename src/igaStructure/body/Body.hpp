@@ -64,12 +64,10 @@ class Body {
     /// What in the choice of this kinematics may matter, with its estimate.
     virtual std::vector<std::string> advice() const { return {}; }
 
-    /// @param points       of the fluid's interface, nPoints x 3 [m]
-    /// @param faceCentres  nFaces x 3 [m]
+    /// @param points  of the fluid's interface, nPoints x 3 [m]
     /// @throws InputError if the two sides do not fit: names, gaps
-    virtual std::unique_ptr<InterfaceTransfer>
-    transfer(const Coupling& coupling, const geometry::Points& points,
-             const geometry::Points& faceCentres) const = 0;
+    virtual std::unique_ptr<InterfaceTransfer> transfer(const Coupling& coupling,
+                                                        const geometry::Points& points) const = 0;
 };
 
 } // namespace tokay::structure

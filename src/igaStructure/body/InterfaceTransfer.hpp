@@ -8,7 +8,7 @@
 
 namespace tokay::structure {
 
-/// Transfer between a body and the points and faces of a fluid's interface.
+/// Transfer between a body and the points of a fluid's interface.
 class InterfaceTransfer {
   public:
     virtual ~InterfaceTransfer() = default;
@@ -17,14 +17,24 @@ class InterfaceTransfer {
     /// @return              of the fluid's points, nPoints x 3 [m]
     virtual geometry::Points displacements(const Eigen::VectorXd& displacement) const = 0;
 
-    /// The transpose of the derivative of the motion of the face centres at a
-    /// state, so that virtual work is kept.
-    /// @param onFaces  nFaces x 3 [N]; a plane scene: per unit depth [N/m]
-    /// @return         on the body's unknowns, a plane body's whole depth [N]
+    /// The transpose of the derivative of displacements() at a state, so that
+    /// virtual work is kept.
+    /// @param onPoints  nPoints x 3 [N]; a plane scene: per unit depth [N/m]
+    /// @return          on the body's unknowns, a plane body's whole depth [N]
     virtual Eigen::VectorXd forces(const Eigen::VectorXd& displacement,
-                                   const geometry::Points& onFaces) const = 0;
+                                   const geometry::Points& onPoints) const = 0;
 
-    /// What the mappings found, for a person.
+    /// The same as forces of the control points, n x 3, per unit depth as given.
+    virtual geometry::Points controlForces(const Eigen::VectorXd& displacement,
+                                           const geometry::Points& onPoints) const = 0;
+
+    /// Where the control points are at a displacement, n x 3 [m]
+    virtual geometry::Points controlPoints(const Eigen::VectorXd& displacement) const = 0;
+
+    /// Of a plane body [m]; 1 in space.
+    virtual double depth() const { return 1; }
+
+    /// What the mapping found, for a person.
     virtual std::string report() const = 0;
 };
 

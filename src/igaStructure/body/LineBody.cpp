@@ -170,9 +170,8 @@ std::vector<std::string> LineBody::advice() const {
 }
 
 std::unique_ptr<InterfaceTransfer> LineBody::transfer(const Coupling& coupling,
-                                                      const geometry::Points& points,
-                                                      const geometry::Points& faceCentres) const {
-    return std::make_unique<LineTransfer>(line_, coupling, points, faceCentres);
+                                                      const geometry::Points& points) const {
+    return std::make_unique<LineTransfer>(line_, coupling, points);
 }
 
 } // namespace tokay::structure

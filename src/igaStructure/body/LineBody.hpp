@@ -34,8 +34,7 @@ class LineBody : public Body {
     /// On the slenderness.
     std::vector<std::string> advice() const override;
     std::unique_ptr<InterfaceTransfer> transfer(const Coupling& coupling,
-                                                const geometry::Points& points,
-                                                const geometry::Points& faceCentres) const override;
+                                                const geometry::Points& points) const override;
 
   private:
     LineField reference(double xi) const;

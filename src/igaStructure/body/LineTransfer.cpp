@@ -18,10 +18,8 @@ mapper::SplineInterface axisOf(const PlaneLine& line) {
 
 } // namespace
 
-LineTransfer::LineTransfer(const PlaneLine& line, const Coupling& coupling, const Points& points,
-                           const Points& faceCentres)
-    : line_(line), axis_(axisOf(line)), toPoints_(axis_, points, {coupling.gapLimit, true}),
-      toFaces_(axis_, faceCentres, {coupling.gapLimit, true}) {}
+LineTransfer::LineTransfer(const PlaneLine& line, const Coupling& coupling, const Points& points)
+    : line_(line), axis_(axisOf(line)), toPoints_(axis_, points, {coupling.gapLimit, true}) {}
 
 Points LineTransfer::ofControlPoints(const Eigen::VectorXd& displacement) const {
     const Eigen::VectorXd flat = line_.controlDisplacements(displacement);
@@ -35,18 +33,24 @@ Points LineTransfer::displacements(const Eigen::VectorXd& displacement) const {
     return line_.isLinear() ? Points(toPoints_.apply(values)) : toPoints_.moved(values);
 }
 
+Points LineTransfer::controlForces(const Eigen::VectorXd& displacement,
+                                   const Points& onPoints) const {
+    return line_.isLinear() ? Points(toPoints_.applyTransposed(onPoints))
+                            : toPoints_.forces(ofControlPoints(displacement), onPoints);
+}
+
+Points LineTransfer::controlPoints(const Eigen::VectorXd& displacement) const {
+    return axis_.coordinates() + ofControlPoints(displacement);
+}
+
 Eigen::VectorXd LineTransfer::forces(const Eigen::VectorXd& displacement,
-                                     const Points& onFaces) const {
-    const Points forces = line_.isLinear()
-                              ? Points(toFaces_.applyTransposed(onFaces))
-                              : toFaces_.forces(ofControlPoints(displacement), onFaces);
-    const Pairs pairs = line_.section().width * forces.leftCols<2>();
+                                     const Points& onPoints) const {
+    const Pairs pairs = depth() * controlForces(displacement, onPoints).leftCols<2>();
     return line_.onUnknowns(Eigen::Map<const Eigen::VectorXd>(pairs.data(), pairs.size()));
 }
 
 std::string LineTransfer::report() const {
-    return "displacements at the fluid's points, " + toPoints_.report().text() +
-           "forces from the fluid's faces, " + toFaces_.report().text();
+    return "displacements of the fluid's points, " + toPoints_.report().text();
 }
 
 } // namespace tokay::structure

@@ -13,12 +13,15 @@ class LineTransfer : public InterfaceTransfer {
   public:
     /// @param line  is kept by reference
     /// @throws InputError if a point is farther from the axis than the gap limit
-    LineTransfer(const PlaneLine& line, const Coupling& coupling, const geometry::Points& points,
-                 const geometry::Points& faceCentres);
+    LineTransfer(const PlaneLine& line, const Coupling& coupling, const geometry::Points& points);
 
     geometry::Points displacements(const Eigen::VectorXd& displacement) const override;
     Eigen::VectorXd forces(const Eigen::VectorXd& displacement,
-                           const geometry::Points& onFaces) const override;
+                           const geometry::Points& onPoints) const override;
+    geometry::Points controlForces(const Eigen::VectorXd& displacement,
+                                   const geometry::Points& onPoints) const override;
+    geometry::Points controlPoints(const Eigen::VectorXd& displacement) const override;
+    double depth() const override { return line_.section().width; }
     std::string report() const override;
 
   private:
@@ -27,7 +30,6 @@ class LineTransfer : public InterfaceTransfer {
     const PlaneLine& line_;
     mapper::SplineInterface axis_;
     mapper::OffsetMapping toPoints_;
-    mapper::OffsetMapping toFaces_;
 };
 
 } // namespace tokay::structure

@@ -98,9 +98,8 @@ double PlaneBody::massPerWetArea() const {
 }
 
 std::unique_ptr<InterfaceTransfer> PlaneBody::transfer(const Coupling& coupling,
-                                                       const geometry::Points& points,
-                                                       const geometry::Points& faceCentres) const {
-    return std::make_unique<PlaneTransfer>(solid_, coupling, points, faceCentres);
+                                                       const geometry::Points& points) const {
+    return std::make_unique<PlaneTransfer>(solid_, coupling, points);
 }
 
 } // namespace tokay::structure

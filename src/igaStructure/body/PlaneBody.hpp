@@ -29,8 +29,7 @@ class PlaneBody : public Body {
     /// Of the whole body, over its largest extent.
     double massPerWetArea() const override;
     std::unique_ptr<InterfaceTransfer> transfer(const Coupling& coupling,
-                                                const geometry::Points& points,
-                                                const geometry::Points& faceCentres) const override;
+                                                const geometry::Points& points) const override;
 
   private:
     Eigen::MatrixXd stress(const Eigen::VectorXd& displacement,

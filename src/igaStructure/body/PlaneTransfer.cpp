@@ -18,29 +18,40 @@ mapper::SplineInterface wetEdges(const PlaneSolid& solid, const std::vector<std:
     return {std::move(pieces), solid.surface().nControlPoints()};
 }
 
-} // namespace
-
-PlaneTransfer::PlaneTransfer(const PlaneSolid& solid, const Coupling& coupling,
-                             const Points& points, const Points& faceCentres)
-    : thickness_(solid.material().thickness), spline_(wetEdges(solid, coupling.interface)),
-      toPoints_(spline_, points, {coupling.gapLimit, true}),
-      toFaces_(spline_, faceCentres, {coupling.gapLimit, true}) {}
-
-Points PlaneTransfer::displacements(const Eigen::VectorXd& displacement) const {
-    const Eigen::Map<const Pairs> controlValues(displacement.data(), displacement.size() / 2, 2);
-    Points values = Points::Zero(toPoints_.matrix().rows(), 3);
-    values.leftCols<2>() = toPoints_.apply(controlValues);
+Points inSpace(const Eigen::VectorXd& ofControlPoints) {
+    Points values = Points::Zero(ofControlPoints.size() / 2, 3);
+    values.leftCols<2>() =
+        Eigen::Map<const Pairs>(ofControlPoints.data(), ofControlPoints.size() / 2, 2);
     return values;
 }
 
-Eigen::VectorXd PlaneTransfer::forces(const Eigen::VectorXd&, const Points& onFaces) const {
-    const Pairs values = thickness_ * toFaces_.applyTransposed(onFaces.leftCols<2>());
+} // namespace
+
+PlaneTransfer::PlaneTransfer(const PlaneSolid& solid, const Coupling& coupling,
+                             const Points& points)
+    : thickness_(solid.material().thickness), spline_(wetEdges(solid, coupling.interface)),
+      toPoints_(spline_, points, {coupling.gapLimit, true}) {}
+
+Points PlaneTransfer::displacements(const Eigen::VectorXd& displacement) const {
+    return toPoints_.apply(inSpace(displacement));
+}
+
+Points PlaneTransfer::controlForces(const Eigen::VectorXd&, const Points& onPoints) const {
+    return toPoints_.applyTransposed(onPoints);
+}
+
+Points PlaneTransfer::controlPoints(const Eigen::VectorXd& displacement) const {
+    return spline_.coordinates() + inSpace(displacement);
+}
+
+Eigen::VectorXd PlaneTransfer::forces(const Eigen::VectorXd& displacement,
+                                      const Points& onPoints) const {
+    const Pairs values = thickness_ * controlForces(displacement, onPoints).leftCols<2>();
     return Eigen::Map<const Eigen::VectorXd>(values.data(), values.size());
 }
 
 std::string PlaneTransfer::report() const {
-    return "displacements at the fluid's points, " + toPoints_.report().text() +
-           "forces from the fluid's faces, " + toFaces_.report().text();
+    return "displacements of the fluid's points, " + toPoints_.report().text();
 }
 
 } // namespace tokay::structure

@@ -12,19 +12,22 @@ namespace tokay::structure {
 class PlaneTransfer : public InterfaceTransfer {
   public:
     /// @throws InputError if a gap is beyond the limit
-    PlaneTransfer(const PlaneSolid& solid, const Coupling& coupling, const geometry::Points& points,
-                  const geometry::Points& faceCentres);
+    PlaneTransfer(const PlaneSolid& solid, const Coupling& coupling,
+                  const geometry::Points& points);
 
     geometry::Points displacements(const Eigen::VectorXd& displacement) const override;
     Eigen::VectorXd forces(const Eigen::VectorXd& displacement,
-                           const geometry::Points& onFaces) const override;
+                           const geometry::Points& onPoints) const override;
+    geometry::Points controlForces(const Eigen::VectorXd& displacement,
+                                   const geometry::Points& onPoints) const override;
+    geometry::Points controlPoints(const Eigen::VectorXd& displacement) const override;
+    double depth() const override { return thickness_; }
     std::string report() const override;
 
   private:
     double thickness_;
     mapper::SplineInterface spline_;
     mapper::NearestElementMapping toPoints_;
-    mapper::NearestElementMapping toFaces_;
 };
 
 } // namespace tokay::structure

@@ -191,9 +191,8 @@ std::vector<std::string> ShellBody::advice() const {
 }
 
 std::unique_ptr<InterfaceTransfer> ShellBody::transfer(const Coupling& coupling,
-                                                       const geometry::Points& points,
-                                                       const geometry::Points& faceCentres) const {
-    return std::make_unique<ShellTransfer>(shell_, coupling, points, faceCentres);
+                                                       const geometry::Points& points) const {
+    return std::make_unique<ShellTransfer>(shell_, coupling, points);
 }
 
 } // namespace tokay::structure

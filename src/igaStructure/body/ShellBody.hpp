@@ -31,8 +31,7 @@ class ShellBody : public Body {
     double massPerWetArea() const override;
     std::vector<std::string> advice() const override;
     std::unique_ptr<InterfaceTransfer> transfer(const Coupling& coupling,
-                                                const geometry::Points& points,
-                                                const geometry::Points& faceCentres) const override;
+                                                const geometry::Points& points) const override;
 
   private:
     Shell shell_;

@@ -20,27 +20,33 @@ Eigen::Map<const Points> ofNodes(const Eigen::VectorXd& displacement) {
 
 } // namespace
 
-ShellTransfer::ShellTransfer(const Shell& shell, const Coupling& coupling, const Points& points,
-                             const Points& faceCentres)
+ShellTransfer::ShellTransfer(const Shell& shell, const Coupling& coupling, const Points& points)
     : isLinear_(shell.isLinear()), middle_(middleSurface(shell)),
-      toPoints_(middle_, points, {coupling.gapLimit, true}),
-      toFaces_(middle_, faceCentres, {coupling.gapLimit, true}) {}
+      toPoints_(middle_, points, {coupling.gapLimit, true}) {}
 
 Points ShellTransfer::displacements(const Eigen::VectorXd& displacement) const {
     const Points values = ofNodes(displacement);
     return isLinear_ ? Points(toPoints_.apply(values)) : toPoints_.moved(values);
 }
 
+Points ShellTransfer::controlForces(const Eigen::VectorXd& displacement,
+                                    const Points& onPoints) const {
+    return isLinear_ ? Points(toPoints_.applyTransposed(onPoints))
+                     : toPoints_.forces(ofNodes(displacement), onPoints);
+}
+
+Points ShellTransfer::controlPoints(const Eigen::VectorXd& displacement) const {
+    return middle_.coordinates() + ofNodes(displacement);
+}
+
 Eigen::VectorXd ShellTransfer::forces(const Eigen::VectorXd& displacement,
-                                      const Points& onFaces) const {
-    const Points forces = isLinear_ ? Points(toFaces_.applyTransposed(onFaces))
-                                    : toFaces_.forces(ofNodes(displacement), onFaces);
+                                      const Points& onPoints) const {
+    const Points forces = controlForces(displacement, onPoints);
     return Eigen::Map<const Eigen::VectorXd>(forces.data(), forces.size());
 }
 
 std::string ShellTransfer::report() const {
-    return "displacements at the fluid's points, " + toPoints_.report().text() +
-           "forces from the fluid's faces, " + toFaces_.report().text();
+    return "displacements of the fluid's points, " + toPoints_.report().text();
 }
 
 } // namespace tokay::structure

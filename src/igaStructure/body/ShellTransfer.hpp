@@ -14,19 +14,20 @@ class ShellTransfer : public InterfaceTransfer {
   public:
     /// The shell is borrowed.
     /// @throws InputError if a point is too far from the middle surface
-    ShellTransfer(const Shell& shell, const Coupling& coupling, const geometry::Points& points,
-                  const geometry::Points& faceCentres);
+    ShellTransfer(const Shell& shell, const Coupling& coupling, const geometry::Points& points);
 
     geometry::Points displacements(const Eigen::VectorXd& displacement) const override;
     Eigen::VectorXd forces(const Eigen::VectorXd& displacement,
-                           const geometry::Points& onFaces) const override;
+                           const geometry::Points& onPoints) const override;
+    geometry::Points controlForces(const Eigen::VectorXd& displacement,
+                                   const geometry::Points& onPoints) const override;
+    geometry::Points controlPoints(const Eigen::VectorXd& displacement) const override;
     std::string report() const override;
 
   private:
     bool isLinear_;
     mapper::SurfaceInterface middle_;
     mapper::OffsetMapping toPoints_;
-    mapper::OffsetMapping toFaces_;
 };
 
 } // namespace tokay::structure

@@ -177,8 +177,11 @@ Answer Session::answerTo(const Forces& forces) {
 
 void Session::send(State state, const Answer& answer) {
     const Eigen::VectorXd& values = answer.displacements;
-    link_.send(Displacements{
-        state, answer.residual, {values.data(), values.data() + values.size()}, answer.failure});
+    link_.send(Displacements{state,
+                             answer.residual,
+                             {values.data(), values.data() + values.size()},
+                             answer.failure,
+                             answer.balance});
 }
 
 void Session::record(const Answer& accepted) {

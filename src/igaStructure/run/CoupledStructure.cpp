@@ -2,6 +2,7 @@
 
 #include "coupling/StateReader.hpp"
 #include "coupling/StateWriter.hpp"
+#include "igaStructure/run/interfaceBalance.hpp"
 
 #include <fmt/format.h>
 
@@ -25,7 +26,8 @@ CoupledStructure::CoupledStructure(const Case& structureCase, Body& body,
       start_(findStartState(structureCase, body.model().nUnknowns(), boundary, fluid)),
       driver_(structureCase.coupling->options, fluid.tolerance,
               initialDisplacement(start_, boundary)),
-      output_(structureCase, body, begin(start_, report), fluid.endTime, report) {
+      output_(structureCase, body, begin(start_, report), fluid.endTime, report),
+      audits_(fluid.audit) {
     if (start_) {
         output_.continueEarlier();
         start_.reset();
@@ -61,6 +63,7 @@ void CoupledStructure::save() const {
 Eigen::VectorXd CoupledStructure::beginTimeStep(int step, double time, double deltaT) {
     report_ = {};
     report_.step = step;
+    deltaT_ = deltaT;
     integrator_.beginTimeStep(time, deltaT);
     return timer_.time(Phase::acceleration, [&] { return driver_.beginTimeStep(deltaT); });
 }
@@ -85,8 +88,11 @@ Answer CoupledStructure::iterate(const std::vector<double>& forces, double fluid
 }
 
 Answer CoupledStructure::acceptTimeStep(const std::vector<double>& forces, bool writeResults) {
+    AuditedStep audited{
+        forces, integrator_.state().displacement, integrator_.displacement(), {}, deltaT_};
     const Eigen::VectorXd xTilde = solve(forces);
     timer_.time(Phase::solving, [&] { integrator_.acceptTimeStep(); });
+    audited.after = integrator_.displacement();
     report_.lastResidual =
         timer_.time(Phase::acceleration, [&] { return driver_.acceptTimeStep(xTilde); });
     report_.firstResidual = driver_.statistics().firstResidual;
@@ -95,7 +101,11 @@ Answer CoupledStructure::acceptTimeStep(const std::vector<double>& forces, bool 
         timer_.time(Phase::output, [&] { save(); });
     }
     output_.finishStep(report_, integrator_.state(), integrator_.energies(), timer_, writeResults);
-    return {xTilde, report_.lastResidual, true};
+    Answer answer{xTilde, report_.lastResidual, true};
+    if (audits_) {
+        answer.balance = interfaceBalance(boundary_, audited);
+    }
+    return answer;
 }
 
 void CoupledStructure::rejectTimeStep() {

@@ -34,6 +34,8 @@ class CoupledStructure : public StructureSide {
     coupling::FixedPointDriver driver_;
     RunOutput output_;
     StepReport report_;
+    const bool audits_;
+    double deltaT_ = 0;
 };
 
 } // namespace tokay::structure

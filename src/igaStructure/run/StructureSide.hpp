@@ -1,7 +1,10 @@
 #pragma once
 
+#include "coupling/messages.hpp"
+
 #include <Eigen/Core>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +16,7 @@ struct Answer {
     double residual = 1;           ///< of the coupling, to be below the fluid's tolerance
     bool converged = false;
     std::string failure = {}; ///< the step has no solution, because of this; empty: it has
+    std::optional<coupling::InterfaceBalance> balance{}; ///< of an accepted step, if wanted
 };
 
 /// The structure as a coupled run sees it.

@@ -40,22 +40,6 @@ Points readPoints(const Body& body, const Interface& fluid) {
     return points;
 }
 
-Points meansOfFaces(const Interface& fluid, const Points& points) {
-    const auto nFaces = static_cast<Eigen::Index>(fluid.faceOffsets.size()) - 1;
-    Points centres = Points::Zero(nFaces, 3);
-    for (Eigen::Index face = 0; face < nFaces; ++face) {
-        const std::uint32_t begin = fluid.faceOffsets[face];
-        const std::uint32_t end = fluid.faceOffsets[face + 1];
-        if (begin == end) {
-            throw PeerError(fmt::format("face {} of the fluid's interface has no points", face));
-        }
-        for (std::uint32_t k = begin; k < end; ++k) {
-            centres.row(face) += points.row(fluid.facePoints[k]) / (end - begin);
-        }
-    }
-    return centres;
-}
-
 std::string text(const Eigen::VectorXd& components) {
     return fmt::format("({:.6g})", fmt::join(components, ", "));
 }
@@ -63,17 +47,15 @@ std::string text(const Eigen::VectorXd& components) {
 } // namespace
 
 WetBoundary::WetBoundary(const Body& body, const Coupling& coupling, const Interface& fluid)
-    : dimension_(body.dimension()), points_(readPoints(body, fluid)),
-      faceCentres_(meansOfFaces(fluid, points_)),
-      transfer_(body.transfer(coupling, points_, faceCentres_)) {}
+    : dimension_(body.dimension()), points_(readPoints(body, fluid)), faces_(fluid),
+      transfer_(body.transfer(coupling, points_)) {}
 
 Eigen::VectorXd WetBoundary::displacements(const Eigen::VectorXd& displacement) const {
     const Rows values = transfer_->displacements(displacement).leftCols(dimension_);
     return Eigen::Map<const Eigen::VectorXd>(values.data(), values.size());
 }
 
-Eigen::VectorXd WetBoundary::forces(const std::vector<double>& onFaces,
-                                    const Eigen::VectorXd& displacement) const {
+Points WetBoundary::onPoints(const std::vector<double>& onFaces) const {
     if (onFaces.size() != static_cast<std::size_t>(dimension_) * nFaces()) {
         throw PeerError(fmt::format("the fluid sent {} force components for {} faces",
                                     onFaces.size(), nFaces()));
@@ -83,12 +65,17 @@ Eigen::VectorXd WetBoundary::forces(const std::vector<double>& onFaces,
         if (!given.row(face).allFinite()) {
             throw PeerError(fmt::format(
                 "the fluid's force on face {} at {} is not finite: {}; the flow has diverged", face,
-                text(faceCentres_.row(face).head(dimension_)), text(given.row(face))));
+                text(faces_.means(points_).row(face).head(dimension_)), text(given.row(face))));
         }
     }
     Points forces = Points::Zero(nFaces(), 3);
     forces.leftCols(dimension_) = given;
-    return transfer_->forces(displacement, forces);
+    return faces_.onPoints(forces);
+}
+
+Eigen::VectorXd WetBoundary::forces(const std::vector<double>& onFaces,
+                                    const Eigen::VectorXd& displacement) const {
+    return transfer_->forces(displacement, onPoints(onFaces));
 }
 
 } // namespace tokay::structure

@@ -3,6 +3,7 @@
 #include "coupling/messages.hpp"
 #include "igaStructure/body/Body.hpp"
 #include "igaStructure/caseFile/Coupling.hpp"
+#include "igaStructure/run/InterfaceFaces.hpp"
 
 #include <Eigen/Core>
 
@@ -16,7 +17,7 @@ class WetBoundary {
     WetBoundary(const Body& body, const Coupling& coupling, const coupling::Interface& fluid);
 
     int nPoints() const { return static_cast<int>(points_.rows()); }
-    int nFaces() const { return static_cast<int>(faceCentres_.rows()); }
+    int nFaces() const { return faces_.count(); }
     /// Of displacements(): dimension times nPoints().
     int nComponents() const { return dimension_ * nPoints(); }
 
@@ -33,13 +34,19 @@ class WetBoundary {
     Eigen::VectorXd forces(const std::vector<double>& onFaces,
                            const Eigen::VectorXd& displacement) const;
 
-    /// Both mappings' reports.
+    /// Forces of faces on the fluid's points, nPoints x 3; other arguments as in forces().
+    geometry::Points onPoints(const std::vector<double>& onFaces) const;
+
+    const InterfaceFaces& faces() const { return faces_; }
+    const InterfaceTransfer& transfer() const { return *transfer_; }
+
+    /// The mapping's report.
     std::string report() const { return transfer_->report(); }
 
   private:
     int dimension_;
     geometry::Points points_;
-    geometry::Points faceCentres_;
+    InterfaceFaces faces_;
     std::unique_ptr<InterfaceTransfer> transfer_;
 };
 
