@@ -202,7 +202,7 @@ TEST(SolidBody, watch_points_inside_and_on_the_rim_are_found) {
 TEST(SolidTransfer, virtual_work_and_forces_are_kept) {
     const std::unique_ptr<Body> body = makeBody(readText(ringText("nonlinear")));
     const Points points = pointsOnWalls(20);
-    const auto transfer = body->transfer(wetWalls(), points, points);
+    const auto transfer = body->transfer(wetWalls(), points);
     const Eigen::Index n = body->model().nUnknowns();
     const VectorXd v = VectorXd::Random(n);
     const Points forces = Points::Random(points.rows(), 3);
@@ -217,7 +217,7 @@ TEST(SolidTransfer, rigid_motions_are_exact) {
     const std::unique_ptr<Body> body = makeBody(readText(ringText("nonlinear")));
     const auto& solid = dynamic_cast<const Solid&>(body->model());
     const Points points = pointsOnWalls(20);
-    const auto transfer = body->transfer(wetWalls(), points, points);
+    const auto transfer = body->transfer(wetWalls(), points);
     const Eigen::Matrix3d Q =
         Eigen::AngleAxisd(2, Vector3d(1, 2, -1).normalized()).toRotationMatrix();
     const Points moved = transfer->displacements(linearMotion(solid, Q));
@@ -229,7 +229,7 @@ TEST(SolidTransfer, point_far_from_the_wet_faces_is_refused) {
     const std::unique_ptr<Body> body = makeBody(readText(ringText("linear")));
     Points points = pointsOnWalls(3);
     points(2, 0) += 1;
-    EXPECT_THROW(body->transfer(wetWalls(), points, points), InputError);
+    EXPECT_THROW(body->transfer(wetWalls(), points), InputError);
 }
 
 TEST(SolidCase, coupled_run_under_constant_forces_gives_the_motion_of_the_same_traction) {

@@ -12,6 +12,7 @@ License
 #include "structureConnection.H"
 #include "Time.H"
 #include "Pstream.H"
+#include "HashSet.H"
 #include "OSspecific.H"
 #include "requireKnownEntries.H"
 #include "coupling/allFinite.hpp"
@@ -74,6 +75,34 @@ Foam::fileName fromCase(const Foam::fileName& name, const Foam::Time& runTime)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+Foam::fileName Foam::structureConnection::chooseLog
+(
+    const dictionary& dict,
+    const fileName& caseFile,
+    const Time& runTime
+) const
+{
+    static HashSet<fileName> taken;
+
+    fileName log(caseFile.path()/"log.igaStructure");
+    if (dict.found("log"))
+    {
+        log = fromCase(dict.get<fileName>("log"), runTime);
+    }
+    else if (taken.found(log))
+    {
+        log += "." + dict_.dictName();
+    }
+    if (!taken.insert(log))
+    {
+        FatalIOErrorInFunction(dict)
+            << "the log " << log << " is that of another structure: choose "
+            << "another 'log'" << exit(FatalIOError);
+    }
+    return log;
+}
+
+
 void Foam::structureConnection::launch
 (
     const dictionary& dict,
@@ -81,12 +110,7 @@ void Foam::structureConnection::launch
 )
 {
     const fileName caseFile(fromCase(dict.get<fileName>("case"), runTime));
-    const fileName log
-    (
-        dict.found("log")
-      ? fromCase(dict.get<fileName>("log"), runTime)
-      : caseFile.path()/"log.igaStructure"
-    );
+    const fileName log(chooseLog(dict, caseFile, runTime));
 
     std::vector<std::string> arguments{"run", caseFile};
     for

@@ -151,9 +151,8 @@ std::vector<std::string> SolidBody::advice() const {
 }
 
 std::unique_ptr<InterfaceTransfer> SolidBody::transfer(const Coupling& coupling,
-                                                       const geometry::Points& points,
-                                                       const geometry::Points& faceCentres) const {
-    return std::make_unique<SolidTransfer>(solid_, coupling, points, faceCentres);
+                                                       const geometry::Points& points) const {
+    return std::make_unique<SolidTransfer>(solid_, coupling, points);
 }
 
 } // namespace tokay::structure

@@ -30,8 +30,7 @@ class SolidBody : public Body {
     double massPerWetArea() const override;
     std::vector<std::string> advice() const override;
     std::unique_ptr<InterfaceTransfer> transfer(const Coupling& coupling,
-                                                const geometry::Points& points,
-                                                const geometry::Points& faceCentres) const override;
+                                                const geometry::Points& points) const override;
 
   private:
     Eigen::MatrixXd stress(const Eigen::VectorXd& displacement,

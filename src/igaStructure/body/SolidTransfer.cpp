@@ -17,27 +17,36 @@ mapper::SurfaceInterface wetSides(const Solid& solid, const std::vector<std::str
     return {std::move(pieces), solid.volume().nControlPoints()};
 }
 
-} // namespace
-
-SolidTransfer::SolidTransfer(const Solid& solid, const Coupling& coupling, const Points& points,
-                             const Points& faceCentres)
-    : sides_(wetSides(solid, coupling.interface)),
-      toPoints_(sides_, points, {coupling.gapLimit, true}),
-      toFaces_(sides_, faceCentres, {coupling.gapLimit, true}) {}
-
-Points SolidTransfer::displacements(const Eigen::VectorXd& displacement) const {
-    const Eigen::Map<const Points> controlValues(displacement.data(), displacement.size() / 3, 3);
-    return toPoints_.apply(controlValues);
+Eigen::Map<const Points> ofControlPoints(const Eigen::VectorXd& displacement) {
+    return {displacement.data(), displacement.size() / 3, 3};
 }
 
-Eigen::VectorXd SolidTransfer::forces(const Eigen::VectorXd&, const Points& onFaces) const {
-    const Points values = toFaces_.applyTransposed(onFaces);
+} // namespace
+
+SolidTransfer::SolidTransfer(const Solid& solid, const Coupling& coupling, const Points& points)
+    : sides_(wetSides(solid, coupling.interface)),
+      toPoints_(sides_, points, {coupling.gapLimit, true}) {}
+
+Points SolidTransfer::displacements(const Eigen::VectorXd& displacement) const {
+    return toPoints_.apply(ofControlPoints(displacement));
+}
+
+Points SolidTransfer::controlForces(const Eigen::VectorXd&, const Points& onPoints) const {
+    return toPoints_.applyTransposed(onPoints);
+}
+
+Points SolidTransfer::controlPoints(const Eigen::VectorXd& displacement) const {
+    return sides_.coordinates() + ofControlPoints(displacement);
+}
+
+Eigen::VectorXd SolidTransfer::forces(const Eigen::VectorXd& displacement,
+                                      const Points& onPoints) const {
+    const Points values = controlForces(displacement, onPoints);
     return Eigen::Map<const Eigen::VectorXd>(values.data(), values.size());
 }
 
 std::string SolidTransfer::report() const {
-    return "displacements at the fluid's points, " + toPoints_.report().text() +
-           "forces from the fluid's faces, " + toFaces_.report().text();
+    return "displacements of the fluid's points, " + toPoints_.report().text();
 }
 
 } // namespace tokay::structure

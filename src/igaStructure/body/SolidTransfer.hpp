@@ -12,18 +12,19 @@ namespace tokay::structure {
 class SolidTransfer : public InterfaceTransfer {
   public:
     /// @throws InputError if a gap is beyond the limit
-    SolidTransfer(const Solid& solid, const Coupling& coupling, const geometry::Points& points,
-                  const geometry::Points& faceCentres);
+    SolidTransfer(const Solid& solid, const Coupling& coupling, const geometry::Points& points);
 
     geometry::Points displacements(const Eigen::VectorXd& displacement) const override;
     Eigen::VectorXd forces(const Eigen::VectorXd& displacement,
-                           const geometry::Points& onFaces) const override;
+                           const geometry::Points& onPoints) const override;
+    geometry::Points controlForces(const Eigen::VectorXd& displacement,
+                                   const geometry::Points& onPoints) const override;
+    geometry::Points controlPoints(const Eigen::VectorXd& displacement) const override;
     std::string report() const override;
 
   private:
     mapper::SurfaceInterface sides_;
     mapper::NearestElementMapping toPoints_;
-    mapper::NearestElementMapping toFaces_;
 };
 
 } // namespace tokay::structure
