@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# More than one structure in one fluid: the flap and its mirror image at the
+# More than one structure in one fluid, or more than one patch: the flap and its mirror image at the
 # opposite wall of a channel twice as high. Each moves as the flap below a wall
 # without friction at half the height, a plane of symmetry.
 source "$(dirname "$0")/harness.sh"
@@ -11,12 +11,7 @@ makeTwoFlaps()
     removeEntry system/controlDict functions.structure.structure.log
     allFunctions
     mirrorChannel
-    split
-    local field
-    for field in U p pointDisplacement
-    do
-        entry 0/$field boundaryField.top "$(foamDictionary 0/$field -entry boundaryField.flap | sed '1d')"
-    done
+    split "(-1 4 -1) (1 9 2)"
     mirrorStructure
     foamDictionary -disableFunctionEntries system/controlDict -entry functions.top -set \
         '{ type structureCoupling; patches (top); rho 1; structure { case "structure/top.yaml"; } }' > log.foamDictionary 2>&1
@@ -42,15 +37,16 @@ END
     mirrorMesh -overwrite > log.mirrorMesh 2>&1 || fail "mirrorMesh failed"
 }
 
-# The upper half of the patch "flap" becomes the patch "top"
+# split BOX: what the box has of the patch "flap" becomes the patch "top"
 split()
 {
+    local field
     cat > system/topoSetDict << END
 FoamFile { version 2.0; format ascii; class dictionary; object topoSetDict; }
 actions
 (
     { name top; type faceSet; action new; source patchToFace; sourceInfo { name flap; patch flap; } }
-    { name top; type faceSet; action subset; source boxToFace; sourceInfo { box (-1 4 -1) (1 9 2); } }
+    { name top; type faceSet; action subset; source boxToFace; sourceInfo { box $1; } }
 );
 END
     cat > system/createPatchDict << END
@@ -60,6 +56,10 @@ patches ( { name top; patchInfo { type wall; } constructFrom set; set top; } );
 END
     topoSet > log.topoSet 2>&1 || fail "topoSet failed"
     createPatch -overwrite > log.createPatch 2>&1 || fail "createPatch failed"
+    for field in U p pointDisplacement
+    do
+        entry 0/$field boundaryField.top "$(foamDictionary 0/$field -entry boundaryField.flap | sed '1d')"
+    done
 }
 
 mirrorStructure()
@@ -172,6 +172,31 @@ failure()
     expectText log.pimpleFoam "the structure was ended by signal 9"
     cat structure/log.igaStructure structure/log.igaStructure.top > logs
     expectText logs "the fluid ended"
+}
+
+property patches "one structure that touches two patches moves as on one"
+patches()
+{
+    local case
+    for case in one two
+    do
+        makeFlap $case
+        allFunctions
+        entry system/fvSolution PIMPLE.residualControl.structure.tolerance 1e-6
+        entry system/fvSolution PIMPLE.residualControl.U.tolerance 1e-6
+        if [ $case = two ]
+        then
+            # The left side
+            split "(-1 -1 -1) (-0.04 2 2)"
+            coupling patches "(flap top)"
+        fi
+        runFluid
+        tip flap > ../$case.tip
+        cd ..
+    done
+    expectText two/log.pimpleFoam "15 points"
+    # Steps converged to 1e-6 each
+    expectSameTable "tip" 2e-5 one.tip two.tip
 }
 
 runProperties "$@"
