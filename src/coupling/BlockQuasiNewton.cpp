@@ -2,6 +2,8 @@
 
 #include "common/errors.hpp"
 #include "coupling/BlockSystem.hpp"
+#include "coupling/StateReader.hpp"
+#include "coupling/StateWriter.hpp"
 
 #include <cassert>
 #include <cmath>
@@ -9,11 +11,8 @@
 namespace tokay::coupling {
 namespace {
 
-/// The guards of this method are its own: small columns are as good as others
-/// once they have passed the tests on noise and memory.
-CouplingOptions withoutKeepFraction(CouplingOptions options) {
+const CouplingOptions& valid(const CouplingOptions& options) {
     requireValid(options);
-    options.keepFraction = 0;
     return options;
 }
 
@@ -24,7 +23,7 @@ constexpr double shareOfTolerance = 0.1;
 
 BlockQuasiNewton::BlockQuasiNewton(const CouplingOptions& options, double tolerance,
                                    TangentStructure& structure, const Eigen::VectorXd& initial)
-    : options_(withoutKeepFraction(options)), criteria_(options, tolerance), structure_(structure),
+    : options_(valid(options)), criteria_(options, tolerance), structure_(structure),
       predictor_(options.extrapolation, initial), model_(options_),
       memory_(options.fluidMemory, options.memoryContrast), now_(at(initial)), next_(now_) {}
 
@@ -44,6 +43,7 @@ const Eigen::VectorXd& BlockQuasiNewton::beginTimeStep(double deltaT) {
         model_.scale(std::pow(deltaTOfModel_ / deltaT, 2));
     }
     deltaTOfModel_ = deltaT;
+    model_.beginTimeStep();
     next_ = at(predictor_.predict(deltaT));
     now_ = next_;
     return next_.x;
@@ -56,9 +56,10 @@ Iteration BlockQuasiNewton::iterate(const Eigen::VectorXd& forces, double fluidR
     }
     now_ = next_;
     const Eigen::VectorXd corrected = memory_.corrected(forces);
-    learn(corrected, fluidResidual);
-    const double residual = criteria_.residual(now_.x, structuresAnswer(corrected), corrected);
-    next_ = nextPosition(corrected);
+    const Eigen::VectorXd loads = structure_.loads(corrected, now_.d);
+    learn(loads, fluidResidual);
+    const double residual = criteria_.residual(now_.x, structuresAnswer(loads), corrected);
+    next_ = nextPosition(loads);
 
     if (statistics_.nExchanges == 0) {
         statistics_.firstResidual = residual;
@@ -66,33 +67,33 @@ Iteration BlockQuasiNewton::iterate(const Eigen::VectorXd& forces, double fluidR
     ++statistics_.nExchanges;
     statistics_.lastResidual = residual;
     statistics_.converged = residual < criteria_.tolerance();
-    statistics_.nColumns = model_.rank();
+    statistics_.nColumns = model_.matrix().rank();
     return {next_.x, residual, statistics_.converged};
 }
 
-void BlockQuasiNewton::learn(const Eigen::VectorXd& forces, double fluidResidual) {
+void BlockQuasiNewton::learn(const Eigen::VectorXd& loads, double fluidResidual) {
     if (previousX_.size() != 0) {
         const Eigen::VectorXd v = now_.x - previousX_;
-        const Eigen::VectorXd w = forces - previousForces_;
-        const double noise = options_.signalToNoise * fluidResidual * forces.norm();
-        if (v.norm() > 0 && w.norm() > noise && memory_.teaches()) {
-            model_.learn(v, w);
+        const Eigen::VectorXd w = loads - previousLoads_;
+        if (memory_.teaches()) {
+            // A move within the fluid's own error teaches little but its drift.
+            model_.learn(v, w, options_.signalToNoise * fluidResidual * now_.x.norm());
         }
     }
     previousX_ = now_.x;
-    previousForces_ = forces;
+    previousLoads_ = loads;
 }
 
-/// Displacement under these forces by one step of Newton's method, which is
+/// Displacement under these loads by one step of Newton's method, which is
 /// enough to tell how far the present one is from it.
-Eigen::VectorXd BlockQuasiNewton::structuresAnswer(const Eigen::VectorXd& forces) const {
+Eigen::VectorXd BlockQuasiNewton::structuresAnswer(const Eigen::VectorXd& loads) const {
     structure_.factor(now_.d);
-    const Eigen::VectorXd imbalance = structure_.loads(forces) - structure_.residual(now_.d);
-    return now_.x + structure_.displacements(structure_.solve(imbalance));
+    const Eigen::VectorXd imbalance = loads - structure_.residual(now_.d);
+    return now_.x + structure_.variations(structure_.solve(imbalance));
 }
 
-BlockQuasiNewton::Position BlockQuasiNewton::nextPosition(const Eigen::VectorXd& forces) const {
-    const BlockSystem system(structure_, forces, now_.x, model_.matrix());
+BlockQuasiNewton::Position BlockQuasiNewton::nextPosition(const Eigen::VectorXd& loads) const {
+    const BlockSystem system(structure_, loads, now_.x, model_.matrix());
     const Eigen::VectorXd d = system.solve(now_.d, shareOfTolerance * criteria_.tolerance());
     if (model_.isIgnorant()) {
         return at(now_.d + options_.initialRelaxation * (d - now_.d));
@@ -104,7 +105,8 @@ double BlockQuasiNewton::acceptTimeStep(const Eigen::VectorXd& d) {
     assert(deltaT_ > 0);
     const double residual = criteria_.displacementResidual(now_.x, structure_.displacements(d));
     model_.acceptTimeStep();
-    predictor_.accept(d, deltaT_);
+    // The fluid's inertia makes now_ more exact than d, by the added-mass ratio.
+    predictor_.accept(statistics_.converged ? now_.d : d, deltaT_);
     deltaT_ = 0;
     return residual;
 }
@@ -112,6 +114,18 @@ double BlockQuasiNewton::acceptTimeStep(const Eigen::VectorXd& d) {
 void BlockQuasiNewton::rejectTimeStep() {
     model_.rejectTimeStep();
     deltaT_ = 0;
+}
+
+void BlockQuasiNewton::save(StateWriter& state) const {
+    predictor_.save(state);
+    state.number(deltaTOfModel_);
+    model_.save(state);
+}
+
+void BlockQuasiNewton::restore(StateReader& state) {
+    predictor_.restore(state, Predictor::Values::ofStructure);
+    deltaTOfModel_ = state.number();
+    model_.restore(state);
 }
 
 } // namespace tokay::coupling

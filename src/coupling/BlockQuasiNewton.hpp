@@ -4,20 +4,20 @@
 #include "coupling/CouplingOptions.hpp"
 #include "coupling/FixedPointDriver.hpp"
 #include "coupling/FluidMemory.hpp"
-#include "coupling/MultiVectorModel.hpp"
 #include "coupling/Predictor.hpp"
+#include "coupling/ResponseModel.hpp"
 #include "coupling/TangentStructure.hpp"
 
 namespace tokay::coupling {
 
 /// Block multi-vector quasi-Newton: the structure's tangent is known and
-/// factored, so only the fluid's response J ≈ dF/dx is learned. Each exchange
-/// solves the structure in a fluid that responds by J (@see BlockSystem). Takes
-/// the place of FixedPointDriver, with the same life cycle.
+/// factored, so only the fluid's response J ≈ dL/dx is learned, L being what its
+/// forces do to the structure. Each exchange solves the structure in a fluid
+/// that responds by J (@see BlockSystem). Takes the place of FixedPointDriver,
+/// with the same life cycle.
 ///
-/// Uses initialRelaxation, filter, filterLimit, largestRank, rankLimit,
-/// signalToNoise, fluidMemory, memoryContrast; neither largestStep nor
-/// keepFraction.
+/// Uses initialRelaxation, filterLimit, largestRank, rankLimit, signalToNoise
+/// (weighs differences, @see ResponseModel), fluidMemory, memoryContrast.
 class BlockQuasiNewton {
   public:
     /// Borrows the structure.
@@ -42,8 +42,17 @@ class BlockQuasiNewton {
     /// Forgets the step, which will be tried again.
     void rejectTimeStep();
 
+    /// What earlier steps have left behind, between two time steps.
+    void save(StateWriter& state) const;
+    /// Goes on from what save() wrote.
+    /// @throws PeerError if the state is damaged
+    void restore(StateReader& state);
+
     /// Structure's state at the last x returned: where to start its solution.
     const Eigen::VectorXd& state() const { return next_.d; }
+
+    /// Displacement of the interface that the last forces belong to.
+    const Eigen::VectorXd& x() const { return now_.x; }
 
     const StepStatistics& statistics() const { return statistics_; }
 
@@ -55,20 +64,20 @@ class BlockQuasiNewton {
     };
 
     Position at(const Eigen::VectorXd& d) const;
-    void learn(const Eigen::VectorXd& forces, double fluidResidual);
-    Eigen::VectorXd structuresAnswer(const Eigen::VectorXd& forces) const;
-    Position nextPosition(const Eigen::VectorXd& forces) const;
+    void learn(const Eigen::VectorXd& loads, double fluidResidual);
+    Eigen::VectorXd structuresAnswer(const Eigen::VectorXd& loads) const;
+    Position nextPosition(const Eigen::VectorXd& loads) const;
 
     CouplingOptions options_;
     ConvergenceCriteria criteria_;
     TangentStructure& structure_;
     Predictor predictor_; ///< of d
-    MultiVectorModel model_;
+    ResponseModel model_;
     FluidMemory memory_;
-    Position now_;                   ///< that the last forces belong to
-    Position next_;                  ///< that the next forces will belong to
-    Eigen::VectorXd previousX_;      ///< of the exchange before, empty in the first
-    Eigen::VectorXd previousForces_; ///< likewise
+    Position now_;                  ///< that the last forces belong to
+    Position next_;                 ///< that the next forces will belong to
+    Eigen::VectorXd previousX_;     ///< of the exchange before, empty in the first
+    Eigen::VectorXd previousLoads_; ///< likewise
     double deltaT_ = 0;
     double deltaTOfModel_ = 0;
     StepStatistics statistics_;

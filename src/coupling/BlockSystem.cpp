@@ -15,19 +15,14 @@ constexpr double rounding = 1e-11;
 
 } // namespace
 
-BlockSystem::BlockSystem(TangentStructure& structure, const Eigen::VectorXd& forces,
-                         const Eigen::VectorXd& xOfForces, LowRankMatrix J)
-    : structure_(structure), forces_(forces), xOfForces_(xOfForces), J_(std::move(J)) {
-    if (J_.rank() > 0) {
-        loadsOfA_ = structure_.loads(J_.A());
-    }
-}
+BlockSystem::BlockSystem(TangentStructure& structure, const Eigen::VectorXd& loads,
+                         const Eigen::VectorXd& xOfLoads, LowRankMatrix J)
+    : structure_(structure), loads_(loads), xOfLoads_(xOfLoads), J_(std::move(J)) {}
 
-/// Pᵀ F(P d) - R(d)
+/// L(x(d)) - R(d)
 Eigen::VectorXd BlockSystem::imbalance(const Eigen::VectorXd& d) const {
-    const Eigen::VectorXd x = structure_.displacements(d);
-    const Eigen::VectorXd forces = forces_ + J_.apply(x - xOfForces_, forces_.size());
-    return structure_.loads(forces) - structure_.residual(d);
+    const Eigen::VectorXd move = structure_.displacements(d) - xOfLoads_;
+    return loads_ + J_.apply(move, loads_.size()) - structure_.residual(d);
 }
 
 Eigen::VectorXd BlockSystem::newtonStep(const Eigen::VectorXd& imbalance) const {
@@ -35,9 +30,9 @@ Eigen::VectorXd BlockSystem::newtonStep(const Eigen::VectorXd& imbalance) const 
     if (J_.rank() == 0) {
         return step;
     }
-    const Eigen::MatrixXd Z = structure_.solve(loadsOfA_);
-    const Eigen::MatrixXd coefficients = J_.B().transpose() * structure_.displacements(Z);
-    const Eigen::VectorXd driven = J_.B().transpose() * structure_.displacements(step);
+    const Eigen::MatrixXd Z = structure_.solve(J_.A());
+    const Eigen::MatrixXd coefficients = J_.B().transpose() * structure_.variations(Z);
+    const Eigen::VectorXd driven = J_.B().transpose() * structure_.variations(step);
     const Eigen::Index r = J_.rank();
     step += Z * (Eigen::MatrixXd::Identity(r, r) - coefficients).partialPivLu().solve(driven);
     return step;

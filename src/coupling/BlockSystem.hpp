@@ -5,17 +5,18 @@
 
 namespace tokay::coupling {
 
-/// A structure in a fluid that responds linearly, F(x) = forces + J (x - xOfForces)
-/// with J = A Bᵀ of small rank:  R(d) - Pᵀ F(P d) = 0.
+/// A structure in a fluid that responds linearly, L(x) = loads + J (x - xOfLoads)
+/// with J = A Bᵀ of small rank:  R(d) - L(x(d)) = 0.
 ///
 /// Newton's method needs nothing but the structure's own factors: with
-/// y = K⁻¹ b and Z = K⁻¹ Pᵀ A the step is y + Z (1 - Bᵀ P Z)⁻¹ Bᵀ P y, that is
+/// y = K⁻¹ b and Z = K⁻¹ A the step is y + Z (1 - Bᵀ P Z)⁻¹ Bᵀ P y, that is
 /// rank + 1 back-substitutions.
 class BlockSystem {
   public:
-    /// Borrows the structure.
-    BlockSystem(TangentStructure& structure, const Eigen::VectorXd& forces,
-                const Eigen::VectorXd& xOfForces, LowRankMatrix J);
+    /// Borrows the structure and both vectors.
+    /// @param J  from displacements of the interface to loads on the structure
+    BlockSystem(TangentStructure& structure, const Eigen::VectorXd& loads,
+                const Eigen::VectorXd& xOfLoads, LowRankMatrix J);
 
     /// Newton's method with line search.
     /// @param d          start
@@ -28,10 +29,9 @@ class BlockSystem {
     Eigen::VectorXd newtonStep(const Eigen::VectorXd& imbalance) const;
 
     TangentStructure& structure_;
-    const Eigen::VectorXd& forces_;
-    const Eigen::VectorXd& xOfForces_;
+    const Eigen::VectorXd& loads_;
+    const Eigen::VectorXd& xOfLoads_;
     LowRankMatrix J_;
-    Eigen::MatrixXd loadsOfA_; ///< Pᵀ A
 };
 
 } // namespace tokay::coupling

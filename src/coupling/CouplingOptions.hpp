@@ -8,11 +8,12 @@ enum class Acceleration {
     constant,         ///< constant relaxation
     aitken,           ///< Aitken's dynamic relaxation
     iqnIls,           ///< interface quasi-Newton, least squares
-    mvqn              ///< interface quasi-Newton, multi-vector (IMVJ)
+    mvqn,             ///< interface quasi-Newton, multi-vector (IMVJ)
+    block             ///< the fluid's response learned, the structure's known
 };
 
 /// Polynomial through the last accepted steps that starts the next one.
-enum class Extrapolation { constant, linear, quadratic };
+enum class Extrapolation { constant, linear, quadratic, cubic };
 
 /// Which columns of the least-squares problem count as dependent, newest first.
 enum class QrFilter {
@@ -44,7 +45,8 @@ struct CouplingOptions {
 
     // Guards of quasi-Newton against a fluid that has not converged
     double signalToNoise = 3;   ///< column accepted if |Δx|/|xTilde| exceeds this
-                                ///< many fluid residuals; 0: always
+                                ///< many fluid residuals; 0: always. Block: that is
+                                ///< the noise by which a difference is weighed
     double largestStep = 2;     ///< step at most this many |residual|; 0: any
     double keepFraction = 0.05; ///< at the end of a step columns below this share
                                 ///< of its largest are dropped; 0: none

@@ -45,9 +45,6 @@ class MultiVectorModel {
     /// Rows and columns of J belong to the interface.
     void restore(StateReader& state);
 
-    /// Multiplies Jₙ, e.g. when the time step changes.
-    void scale(double factor) { old_.scale(factor); }
-
     int nColumns() const { return static_cast<int>(columns_.size()); }
     int rank() const { return old_.rank() + nColumns(); }
 

@@ -42,11 +42,12 @@ void Predictor::save(StateWriter& state) const {
     }
 }
 
-void Predictor::restore(StateReader& state) {
+void Predictor::restore(StateReader& state, Values values) {
     accepted_.clear();
     for (int n = state.integer(); n > 0; --n) {
         const double time = state.number();
-        accepted_.push_back({time, state.interfaceVector()});
+        accepted_.push_back(
+            {time, values == Values::ofInterface ? state.interfaceVector() : state.vector()});
     }
     while (accepted_.size() > nPoints_) { // fewer are wanted now
         accepted_.pop_back();

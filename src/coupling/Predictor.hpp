@@ -26,7 +26,9 @@ class Predictor {
     void accept(const Eigen::VectorXd& x, double deltaT);
 
     void save(StateWriter& state) const;
-    void restore(StateReader& state);
+    /// @param values  of the interface, or of the structure's unknowns
+    enum class Values { ofInterface, ofStructure };
+    void restore(StateReader& state, Values values = Values::ofInterface);
 
   private:
     struct Accepted {

@@ -5,8 +5,8 @@
 namespace tokay::coupling {
 
 /// The structure as the block method sees it within one time step: equations
-/// R(d) = Pᵀ F of N unknowns d that can be linearised and solved, and the
-/// linear map P between them and the fluid's interface.
+/// R(d) = L of N unknowns d, L being what the fluid's forces do to them, that
+/// can be linearised and solved; and the motion x(d) of the fluid's interface.
 class TangentStructure {
   public:
     virtual ~TangentStructure() = default;
@@ -21,11 +21,14 @@ class TangentStructure {
     /// K⁻¹ b for several b at once, N x m, with the K factored last.
     virtual Eigen::MatrixXd solve(const Eigen::MatrixXd& b) = 0;
 
-    /// P d: displacements of the interface, for several d at once.
-    virtual Eigen::MatrixXd displacements(const Eigen::MatrixXd& d) = 0;
+    /// x(d): displacements of the interface.
+    virtual Eigen::VectorXd displacements(const Eigen::VectorXd& d) = 0;
 
-    /// Pᵀ F, N x m: what forces on the fluid's faces do to the structure.
-    virtual Eigen::MatrixXd loads(const Eigen::MatrixXd& forces) = 0;
+    /// P D, for several D at once, with P = dx/dd where K was factored last.
+    virtual Eigen::MatrixXd variations(const Eigen::MatrixXd& D) = 0;
+
+    /// L: what forces on the fluid's faces do to the structure at d.
+    virtual Eigen::VectorXd loads(const Eigen::VectorXd& forces, const Eigen::VectorXd& d) = 0;
 };
 
 } // namespace tokay::coupling

@@ -5,6 +5,8 @@
 #include "coupling/IqnIls.hpp"
 #include "coupling/Mvqn.hpp"
 
+#include <cassert>
+
 namespace tokay::coupling {
 
 std::unique_ptr<Accelerator> makeAccelerator(const CouplingOptions& options) {
@@ -20,6 +22,8 @@ std::unique_ptr<Accelerator> makeAccelerator(const CouplingOptions& options) {
         return std::make_unique<IqnIls>(options);
     case Acceleration::mvqn:
         return std::make_unique<Mvqn>(options);
+    case Acceleration::block:
+        assert(!"BlockQuasiNewton takes the place of driver and accelerator");
     }
     return nullptr;
 }

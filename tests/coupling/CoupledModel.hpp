@@ -30,8 +30,11 @@ class CoupledModel : public TangentStructure {
     /// Ends the step with the fluid as it answered last, and this displacement.
     virtual void acceptTimeStep(const Eigen::VectorXd& x) = 0;
 
-    Eigen::MatrixXd displacements(const Eigen::MatrixXd& d) override { return d; }
-    Eigen::MatrixXd loads(const Eigen::MatrixXd& forces) override { return forces; }
+    Eigen::VectorXd displacements(const Eigen::VectorXd& d) override { return d; }
+    Eigen::MatrixXd variations(const Eigen::MatrixXd& D) override { return D; }
+    Eigen::VectorXd loads(const Eigen::VectorXd& forces, const Eigen::VectorXd&) override {
+        return forces;
+    }
 };
 
 } // namespace tokay::coupling

@@ -5,6 +5,8 @@
 #include "coupledRun.hpp"
 #include "coupling/BlockQuasiNewton.hpp"
 #include "coupling/BlockSystem.hpp"
+#include "coupling/StateReader.hpp"
+#include "coupling/StateWriter.hpp"
 
 #include <gtest/gtest.h>
 
@@ -39,8 +41,13 @@ class Springs : public TangentStructure {
         ++nFactorisations;
     }
     MatrixXd solve(const MatrixXd& b) override { return factors_.solve(b); }
-    MatrixXd displacements(const MatrixXd& d) override { return P_ * d; }
-    MatrixXd loads(const MatrixXd& forces) override { return P_.transpose() * forces; }
+    VectorXd displacements(const VectorXd& d) override { return P_ * d; }
+    MatrixXd variations(const MatrixXd& D) override { return P_ * D; }
+    VectorXd loads(const VectorXd& forces, const VectorXd&) override {
+        return P_.transpose() * forces;
+    }
+
+    const MatrixXd& P() const { return P_; }
 
     int nFactorisations = 0;
 
@@ -52,53 +59,48 @@ class Springs : public TangentStructure {
     Eigen::PartialPivLU<MatrixXd> factors_;
 };
 
-/// What remains of R(d) = Pᵀ (F + J (P d - x)).
-double imbalance(Springs& springs, const VectorXd& d, const VectorXd& F, const VectorXd& x,
-                 const LowRankMatrix& J) {
-    const VectorXd forces = F + J.apply(springs.displacements(d) - x, F.size());
-    return (springs.residual(d) - springs.loads(forces)).norm();
-}
+/// Forces F + J (x(d) - x), J of rank 3, on five points of twelve springs.
+struct SpringsInFluid {
+    explicit SpringsInFluid(double cubic) : springs(12, 5, cubic) {
+        J.append(springs.P().transpose() * -MatrixXd::Random(5, 3), MatrixXd::Random(5, 3));
+        loads = springs.P().transpose() * VectorXd::Random(5);
+        x = VectorXd::Random(5);
+    }
 
-LowRankMatrix randomJacobian(int n, int rank) {
+    VectorXd solve() { return BlockSystem(springs, loads, x, J).solve(VectorXd::Zero(12), 1e-9); }
+    double imbalance(const VectorXd& d) {
+        return (springs.residual(d) - loads - J.apply(springs.displacements(d) - x, 12)).norm();
+    }
+
+    Springs springs;
     LowRankMatrix J;
-    J.append(-MatrixXd::Random(n, rank), MatrixXd::Random(n, rank));
-    return J;
-}
+    VectorXd loads;
+    VectorXd x;
+};
 
 TEST(BlockSystem, balancesALinearStructureInAFluidThatRespondsWithOneFactorisation) {
-    Springs springs(12, 5, 0);
-    const LowRankMatrix J = randomJacobian(5, 3);
-    const VectorXd F = VectorXd::Random(5);
-    const VectorXd x = VectorXd::Random(5);
-    const VectorXd d = BlockSystem(springs, F, x, J).solve(VectorXd::Zero(12), 1e-9);
-    EXPECT_LT(imbalance(springs, d, F, x, J), 1e-9); // conditions of K and of the block: some 1e3
-    EXPECT_EQ(springs.nFactorisations, 1);
+    SpringsInFluid model(0);
+    EXPECT_LT(model.imbalance(model.solve()), 1e-9); // conditions of K and of the block: some 1e3
+    EXPECT_EQ(model.springs.nFactorisations, 1);
 }
 
 TEST(BlockSystem, convergesQuadraticallyForANonlinearStructure) {
-    Springs springs(12, 5, 5);
-    const LowRankMatrix J = randomJacobian(5, 3);
-    const VectorXd F = VectorXd::Random(5);
-    const VectorXd x = VectorXd::Random(5);
-    const VectorXd d = BlockSystem(springs, F, x, J).solve(VectorXd::Zero(12), 1e-9);
-    EXPECT_LT(imbalance(springs, d, F, x, J), 1e-9);
-    EXPECT_LT(springs.nFactorisations, 10); // five or so to get near, three to double the digits
+    SpringsInFluid model(5);
+    EXPECT_LT(model.imbalance(model.solve()), 1e-9);
+    // Five or so to get near, three to double the digits.
+    EXPECT_LT(model.springs.nFactorisations, 10);
 }
 
 TEST(BlockSystem, withoutAResponseIsTheStructureAlone) {
-    Springs springs(12, 5, 5);
-    const VectorXd F = VectorXd::Random(5);
-    const VectorXd x = VectorXd::Random(5);
-    const VectorXd d = BlockSystem(springs, F, x, LowRankMatrix()).solve(VectorXd::Zero(12), 1e-9);
-    EXPECT_LT((springs.residual(d) - springs.loads(F)).norm(), 1e-9);
+    SpringsInFluid model(5);
+    model.J = {};
+    EXPECT_LT((model.springs.residual(model.solve()) - model.loads).norm(), 1e-9);
 }
 
 TEST(BlockSystem, forcesThatAreNotFiniteEndInAnError) {
-    Springs springs(3, 2, 1);
-    const VectorXd F = VectorXd::Constant(2, std::nan(""));
-    const VectorXd x = VectorXd::Zero(2);
-    const BlockSystem system(springs, F, x, LowRankMatrix());
-    EXPECT_THROW(system.solve(VectorXd::Zero(3), 1e-9), SolverError);
+    SpringsInFluid model(1);
+    model.loads[3] = std::nan("");
+    EXPECT_THROW(model.solve(), SolverError);
 }
 
 TEST(FluidMemory, correctsForSevenTenthsOfWhatTheFluidKept) {
@@ -233,6 +235,36 @@ TEST(BlockQuasiNewton, aRejectedStepLeavesNoTrace) {
         return exchanges(0.1, 1);
     };
     EXPECT_LT((run(true) - run(false)).norm(), 1e-12 * run(false).norm()); // scaled to and fro
+}
+
+TEST(BlockQuasiNewton, continuesBitByBitFromASavedState) {
+    Springs springs(6, 3, 0);
+    const auto advance = [&](BlockQuasiNewton& driver, int step) {
+        const LinearResponse fluid{-5 * MatrixXd::Identity(3, 3), VectorXd::Constant(3, step)};
+        VectorXd x = driver.beginTimeStep(step == 4 ? 0.2 : 0.1);
+        while (!driver.statistics().converged) {
+            x = driver.iterate(fluid(x), 0).x;
+        }
+        driver.acceptTimeStep(driver.state());
+        return x;
+    };
+    BlockQuasiNewton whole(CouplingOptions(), 1e-8, springs, VectorXd::Zero(6));
+    for (int step = 1; step <= 3; ++step) {
+        advance(whole, step);
+    }
+    std::vector<std::uint8_t> bytes;
+    StateWriter written(bytes);
+    whole.save(written);
+    BlockQuasiNewton continued(CouplingOptions(), 1e-8, springs, VectorXd::Zero(6));
+    StateReader state(bytes);
+    continued.restore(state);
+    EXPECT_EQ(state.remaining(), 0u);
+    for (int step = 4; step <= 6; ++step) {
+        EXPECT_EQ(advance(continued, step), advance(whole, step)) << step;
+    }
+    bytes.pop_back();
+    StateReader cut(bytes);
+    EXPECT_THROW(continued.restore(cut), PeerError);
 }
 
 TEST(BlockQuasiNewton, forcesThatAreNotFiniteAreAnError) {

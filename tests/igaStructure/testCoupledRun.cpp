@@ -74,7 +74,7 @@ TEST(CoupledRun, constant_force_moves_the_structure_as_the_same_traction_does_al
 
 TEST(CoupledRun, every_acceleration_ends_at_the_same_answer) {
     std::vector<double> tips;
-    for (const char* type : {"explicit", "constant", "aitken", "iqnIls", "mvqn"}) {
+    for (const char* type : {"explicit", "constant", "aitken", "iqnIls", "mvqn", "block"}) {
         const TemporaryDirectory directory;
         const std::string option = std::string("  acceleration: {type: ") + type + "}\n";
         tips.push_back(watchOfCoupledRun(directory, coupledText() + option, 20).back()[1]);

@@ -17,6 +17,10 @@ class InterfaceTransfer {
     /// @return              of the fluid's points, nPoints x 3 [m]
     virtual geometry::Points displacements(const Eigen::VectorXd& displacement) const = 0;
 
+    /// Derivative of displacements() at a displacement along a variation.
+    virtual geometry::Points variation(const Eigen::VectorXd& displacement,
+                                       const Eigen::VectorXd& variation) const = 0;
+
     /// The transpose of the derivative of displacements() at a state, so that
     /// virtual work is kept.
     /// @param onPoints  nPoints x 3 [N]; a plane scene: per unit depth [N/m]

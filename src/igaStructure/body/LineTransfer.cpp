@@ -43,6 +43,13 @@ Points LineTransfer::controlPoints(const Eigen::VectorXd& displacement) const {
     return axis_.coordinates() + ofControlPoints(displacement);
 }
 
+Points LineTransfer::variation(const Eigen::VectorXd& displacement,
+                               const Eigen::VectorXd& variation) const {
+    const Points change = ofControlPoints(variation);
+    return line_.isLinear() ? Points(toPoints_.apply(change))
+                            : toPoints_.variation(ofControlPoints(displacement), change);
+}
+
 Eigen::VectorXd LineTransfer::forces(const Eigen::VectorXd& displacement,
                                      const Points& onPoints) const {
     const Pairs pairs = depth() * controlForces(displacement, onPoints).leftCols<2>();

@@ -16,6 +16,8 @@ class LineTransfer : public InterfaceTransfer {
     LineTransfer(const PlaneLine& line, const Coupling& coupling, const geometry::Points& points);
 
     geometry::Points displacements(const Eigen::VectorXd& displacement) const override;
+    geometry::Points variation(const Eigen::VectorXd& displacement,
+                               const Eigen::VectorXd& variation) const override;
     Eigen::VectorXd forces(const Eigen::VectorXd& displacement,
                            const geometry::Points& onPoints) const override;
     geometry::Points controlForces(const Eigen::VectorXd& displacement,

@@ -44,6 +44,10 @@ Points PlaneTransfer::controlPoints(const Eigen::VectorXd& displacement) const {
     return spline_.coordinates() + inSpace(displacement);
 }
 
+Points PlaneTransfer::variation(const Eigen::VectorXd&, const Eigen::VectorXd& variation) const {
+    return displacements(variation); // linear
+}
+
 Eigen::VectorXd PlaneTransfer::forces(const Eigen::VectorXd& displacement,
                                       const Points& onPoints) const {
     const Pairs values = thickness_ * controlForces(displacement, onPoints).leftCols<2>();

@@ -39,6 +39,13 @@ Points ShellTransfer::controlPoints(const Eigen::VectorXd& displacement) const {
     return middle_.coordinates() + ofNodes(displacement);
 }
 
+Points ShellTransfer::variation(const Eigen::VectorXd& displacement,
+                                const Eigen::VectorXd& variation) const {
+    const Points change = ofNodes(variation);
+    return isLinear_ ? Points(toPoints_.apply(change))
+                     : toPoints_.variation(ofNodes(displacement), change);
+}
+
 Eigen::VectorXd ShellTransfer::forces(const Eigen::VectorXd& displacement,
                                       const Points& onPoints) const {
     const Points forces = controlForces(displacement, onPoints);

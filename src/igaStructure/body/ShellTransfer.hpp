@@ -17,6 +17,8 @@ class ShellTransfer : public InterfaceTransfer {
     ShellTransfer(const Shell& shell, const Coupling& coupling, const geometry::Points& points);
 
     geometry::Points displacements(const Eigen::VectorXd& displacement) const override;
+    geometry::Points variation(const Eigen::VectorXd& displacement,
+                               const Eigen::VectorXd& variation) const override;
     Eigen::VectorXd forces(const Eigen::VectorXd& displacement,
                            const geometry::Points& onPoints) const override;
     geometry::Points controlForces(const Eigen::VectorXd& displacement,

@@ -39,6 +39,10 @@ Points SolidTransfer::controlPoints(const Eigen::VectorXd& displacement) const {
     return sides_.coordinates() + ofControlPoints(displacement);
 }
 
+Points SolidTransfer::variation(const Eigen::VectorXd&, const Eigen::VectorXd& variation) const {
+    return displacements(variation); // linear
+}
+
 Eigen::VectorXd SolidTransfer::forces(const Eigen::VectorXd& displacement,
                                       const Points& onPoints) const {
     const Points values = controlForces(displacement, onPoints);

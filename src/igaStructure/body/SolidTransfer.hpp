@@ -15,6 +15,8 @@ class SolidTransfer : public InterfaceTransfer {
     SolidTransfer(const Solid& solid, const Coupling& coupling, const geometry::Points& points);
 
     geometry::Points displacements(const Eigen::VectorXd& displacement) const override;
+    geometry::Points variation(const Eigen::VectorXd& displacement,
+                               const Eigen::VectorXd& variation) const override;
     Eigen::VectorXd forces(const Eigen::VectorXd& displacement,
                            const geometry::Points& onPoints) const override;
     geometry::Points controlForces(const Eigen::VectorXd& displacement,

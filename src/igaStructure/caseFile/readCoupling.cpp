@@ -26,19 +26,24 @@ const std::map<std::string, std::vector<std::string>> optionsOfAcceleration = {
       "signalToNoise", "largestStep", "keepFraction"}},
     {"mvqn",
      {"type", "initialRelaxation", "largestRank", "rankLimit", "filter", "filterLimit",
-      "signalToNoise", "largestStep", "keepFraction"}}};
+      "signalToNoise", "largestStep", "keepFraction"}},
+    {"block",
+     {"type", "initialRelaxation", "largestRank", "rankLimit", "filterLimit", "signalToNoise",
+      "fluidMemory", "memoryContrast"}}};
 
 const std::map<std::string, coupling::Acceleration> accelerations = {
     {"explicit", coupling::Acceleration::explicitCoupling},
     {"constant", coupling::Acceleration::constant},
     {"aitken", coupling::Acceleration::aitken},
     {"iqnIls", coupling::Acceleration::iqnIls},
-    {"mvqn", coupling::Acceleration::mvqn}};
+    {"mvqn", coupling::Acceleration::mvqn},
+    {"block", coupling::Acceleration::block}};
 
 const std::map<std::string, coupling::Extrapolation> extrapolations = {
     {"constant", coupling::Extrapolation::constant},
     {"linear", coupling::Extrapolation::linear},
-    {"quadratic", coupling::Extrapolation::quadratic}};
+    {"quadratic", coupling::Extrapolation::quadratic},
+    {"cubic", coupling::Extrapolation::cubic}};
 
 const std::map<std::string, coupling::QrFilter> filters = {{"qr1", coupling::QrFilter::qr1},
                                                            {"qr2", coupling::QrFilter::qr2}};
@@ -61,7 +66,9 @@ const std::vector<NumberOption> numberOptions = {
     {"filterLimit", &CouplingOptions::filterLimit},
     {"signalToNoise", &CouplingOptions::signalToNoise},
     {"largestStep", &CouplingOptions::largestStep},
-    {"keepFraction", &CouplingOptions::keepFraction}};
+    {"keepFraction", &CouplingOptions::keepFraction},
+    {"fluidMemory", &CouplingOptions::fluidMemory},
+    {"memoryContrast", &CouplingOptions::memoryContrast}};
 
 void read(const CaseSection& section, const NumberOption& option, CouplingOptions& options) {
     if (const auto* real = std::get_if<double CouplingOptions::*>(&option.member)) {

@@ -11,9 +11,9 @@ namespace tokay::structure {
 namespace {
 
 Eigen::VectorXd initialDisplacement(const std::optional<StartState>& start,
-                                    const WetBoundary& boundary) {
-    return start ? boundary.displacements(start->saved.motion.displacement)
-                 : Eigen::VectorXd(Eigen::VectorXd::Zero(boundary.nComponents()));
+                                    const StructuralModel& model) {
+    return start ? start->saved.motion.displacement
+                 : Eigen::VectorXd(Eigen::VectorXd::Zero(model.nUnknowns()));
 }
 
 } // namespace
@@ -24,8 +24,9 @@ CoupledStructure::CoupledStructure(const Case& structureCase, Body& body,
     : case_(structureCase), boundary_(boundary), timer_(timer),
       integrator_(body.model(), structureCase.timeScheme, structureCase.newton, fluid.startTime),
       start_(findStartState(structureCase, body.model().nUnknowns(), boundary, fluid)),
-      driver_(structureCase.coupling->options, fluid.tolerance,
-              initialDisplacement(start_, boundary)),
+      structure_(body.model(), integrator_, boundary, timer),
+      scheme_(makeCouplingScheme(structureCase.coupling->options, fluid.tolerance, structure_,
+                                 initialDisplacement(start_, body.model()), timer)),
       output_(structureCase, body, begin(start_, report), fluid.endTime, report),
       audits_(fluid.audit) {
     if (start_) {
@@ -34,7 +35,7 @@ CoupledStructure::CoupledStructure(const Case& structureCase, Body& body,
     }
 }
 
-// State at the start, which integrator and driver have then.
+// State at the start, which integrator and scheme have then.
 const MotionState& CoupledStructure::begin(const std::optional<StartState>& start,
                                            const Report& report) {
     if (start) {
@@ -47,16 +48,26 @@ const MotionState& CoupledStructure::begin(const std::optional<StartState>& star
     } else if (start) {
         coupling::StateReader state(start->saved.coupling);
         state.renumberInterface(start->components);
-        driver_.restore(state);
+        restoreScheme(state, report);
     }
     return integrator_.state();
 }
 
+void CoupledStructure::restoreScheme(coupling::StateReader& state, const Report& report) {
+    if (state.text() == scheme_->name()) {
+        scheme_->restore(state);
+    } else {
+        report("note: the acceleration is another one than then: predictor and acceleration begin "
+               "anew\n");
+    }
+}
+
 void CoupledStructure::save() const {
     SavedState state{case_.digest,       integrator_.state(), integrator_.energies(),
-                     boundary_.points(), driver_.x(),         {}};
+                     boundary_.points(), scheme_->x(),        {}};
     coupling::StateWriter write(state.coupling);
-    driver_.save(write);
+    write.text(scheme_->name());
+    scheme_->save(write);
     stateFolder(case_).add(state);
 }
 
@@ -64,39 +75,28 @@ Eigen::VectorXd CoupledStructure::beginTimeStep(int step, double time, double de
     report_ = {};
     report_.step = step;
     deltaT_ = deltaT;
-    integrator_.beginTimeStep(time, deltaT);
-    return timer_.time(Phase::acceleration, [&] { return driver_.beginTimeStep(deltaT); });
-}
-
-Eigen::VectorXd CoupledStructure::solve(const std::vector<double>& forces) {
-    const Eigen::VectorXd force = timer_.time(
-        Phase::mapping, [&] { return boundary_.forces(forces, integrator_.displacement()); });
-    timer_.time(Phase::solving, [&] { integrator_.solve(force); });
-    ++report_.nExchanges;
-    report_.nIterations += integrator_.nIterations();
-    return timer_.time(Phase::mapping,
-                       [&] { return boundary_.displacements(integrator_.displacement()); });
+    structure_.beginTimeStep(time, deltaT);
+    return timer_.time(Phase::acceleration, [&] { return scheme_->beginTimeStep(deltaT); });
 }
 
 Answer CoupledStructure::iterate(const std::vector<double>& forces, double fluidResidual) {
-    const Eigen::VectorXd xTilde = solve(forces);
-    const coupling::Iteration iteration = timer_.time(Phase::acceleration, [&] {
-        const Eigen::Map<const Eigen::VectorXd> faceForces(forces.data(), forces.size());
-        return driver_.iterate(xTilde, fluidResidual, faceForces);
-    });
+    ++report_.nExchanges;
+    const coupling::Iteration iteration = scheme_->iterate(forces, fluidResidual);
     return {iteration.x, iteration.residual, iteration.converged};
 }
 
 Answer CoupledStructure::acceptTimeStep(const std::vector<double>& forces, bool writeResults) {
     AuditedStep audited{
         forces, integrator_.state().displacement, integrator_.displacement(), {}, deltaT_};
-    const Eigen::VectorXd xTilde = solve(forces);
+    ++report_.nExchanges;
+    const Eigen::VectorXd xTilde = structure_.answer(forces);
     timer_.time(Phase::solving, [&] { integrator_.acceptTimeStep(); });
     audited.after = integrator_.displacement();
     report_.lastResidual =
-        timer_.time(Phase::acceleration, [&] { return driver_.acceptTimeStep(xTilde); });
-    report_.firstResidual = driver_.statistics().firstResidual;
-    report_.nColumns = driver_.statistics().nColumns;
+        timer_.time(Phase::acceleration, [&] { return scheme_->acceptTimeStep(xTilde); });
+    report_.firstResidual = scheme_->statistics().firstResidual;
+    report_.nColumns = scheme_->statistics().nColumns;
+    report_.nIterations = structure_.nIterations();
     if (writeResults) {
         timer_.time(Phase::output, [&] { save(); });
     }
@@ -110,7 +110,7 @@ Answer CoupledStructure::acceptTimeStep(const std::vector<double>& forces, bool 
 
 void CoupledStructure::rejectTimeStep() {
     integrator_.rejectTimeStep();
-    driver_.rejectTimeStep();
+    scheme_->rejectTimeStep();
 }
 
 } // namespace tokay::structure

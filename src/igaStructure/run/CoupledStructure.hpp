@@ -1,9 +1,8 @@
 #pragma once
 
-#include "coupling/FixedPointDriver.hpp"
+#include "igaStructure/run/CouplingScheme.hpp"
 #include "igaStructure/run/RunOutput.hpp"
 #include "igaStructure/run/StructureSide.hpp"
-#include "igaStructure/run/WetBoundary.hpp"
 #include "igaStructure/run/restart.hpp"
 
 namespace tokay::structure {
@@ -23,15 +22,16 @@ class CoupledStructure : public StructureSide {
 
   private:
     const MotionState& begin(const std::optional<StartState>& start, const Report& report);
+    void restoreScheme(coupling::StateReader& state, const Report& report);
     void save() const;
-    Eigen::VectorXd solve(const std::vector<double>& forces);
 
     const Case& case_;
     const WetBoundary& boundary_;
     PhaseTimer& timer_;
     TimeIntegrator integrator_;
     std::optional<StartState> start_;
-    coupling::FixedPointDriver driver_;
+    WetStructure structure_;
+    std::unique_ptr<CouplingScheme> scheme_;
     RunOutput output_;
     StepReport report_;
     const bool audits_;

@@ -50,9 +50,22 @@ WetBoundary::WetBoundary(const Body& body, const Coupling& coupling, const Inter
     : dimension_(body.dimension()), points_(readPoints(body, fluid)), faces_(fluid),
       transfer_(body.transfer(coupling, points_)) {}
 
-Eigen::VectorXd WetBoundary::displacements(const Eigen::VectorXd& displacement) const {
-    const Rows values = transfer_->displacements(displacement).leftCols(dimension_);
+Eigen::VectorXd WetBoundary::components(const Points& ofPoints) const {
+    const Rows values = ofPoints.leftCols(dimension_);
     return Eigen::Map<const Eigen::VectorXd>(values.data(), values.size());
+}
+
+Eigen::VectorXd WetBoundary::displacements(const Eigen::VectorXd& displacement) const {
+    return components(transfer_->displacements(displacement));
+}
+
+Eigen::MatrixXd WetBoundary::variations(const Eigen::VectorXd& displacement,
+                                        const Eigen::MatrixXd& variations) const {
+    Eigen::MatrixXd result(nComponents(), variations.cols());
+    for (Eigen::Index k = 0; k < variations.cols(); ++k) {
+        result.col(k) = components(transfer_->variation(displacement, variations.col(k)));
+    }
+    return result;
 }
 
 Points WetBoundary::onPoints(const std::vector<double>& onFaces) const {

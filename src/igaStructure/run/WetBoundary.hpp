@@ -27,6 +27,11 @@ class WetBoundary {
     /// Displacements of the fluid's points, point after point [m].
     Eigen::VectorXd displacements(const Eigen::VectorXd& displacement) const;
 
+    /// Derivative of displacements() at a displacement along variations, a
+    /// column each.
+    Eigen::MatrixXd variations(const Eigen::VectorXd& displacement,
+                               const Eigen::MatrixXd& variations) const;
+
     /// Forces on the structure's unknowns; same sum and virtual work.
     /// @param onFaces       face after face [N]; a plane scene: per unit depth [N/m]
     /// @param displacement  of the structure, at which a thin body's sections stand
@@ -44,6 +49,8 @@ class WetBoundary {
     std::string report() const { return transfer_->report(); }
 
   private:
+    Eigen::VectorXd components(const geometry::Points& ofPoints) const;
+
     int dimension_;
     geometry::Points points_;
     InterfaceFaces faces_;

@@ -93,6 +93,30 @@ const VectorXd& TimeIntegrator::solve(const VectorXd& interfaceForce) {
     return displacement_;
 }
 
+// Forces at the end of the step enter the balance with the factor 1 - alphaF.
+VectorXd TimeIntegrator::requiredForce(const VectorXd& displacement) {
+    force_ = model_.externalForce(time_);
+    return balance(displacement).residual / (scheme_.alphaF - 1);
+}
+
+void TimeIntegrator::linearise(const VectorXd& displacement) {
+    displacement_ = displacement;
+    if (!model_.isLinear()) {
+        renewTangent();
+    } else if (!isFactoredForStep()) {
+        tangent_ = stiffness_;
+        factorise();
+    }
+}
+
+Eigen::MatrixXd TimeIntegrator::responses(const Eigen::MatrixXd& forces) {
+    Eigen::MatrixXd result(forces.rows(), forces.cols());
+    for (Eigen::Index k = 0; k < forces.cols(); ++k) {
+        result.col(k) = (1 - scheme_.alphaF) * solver_->solve(forces.col(k));
+    }
+    return result;
+}
+
 void TimeIntegrator::acceptTimeStep() {
     MotionState next;
     next.time = time_;
@@ -225,10 +249,7 @@ bool TimeIntegrator::isFactoredForStep() const {
 }
 
 void TimeIntegrator::solveLinear() {
-    if (!isFactoredForStep()) {
-        tangent_ = stiffness_;
-        factorise();
-    }
+    linearise(displacement_);
     // From the old state: the solution must not depend on earlier solves.
     displacement_ = state_.displacement + solver_->solve(balance(state_.displacement).residual);
     const Balance end = balance(displacement_);

@@ -39,6 +39,20 @@ class TimeIntegrator {
     /// @throws SolverError if Newton's method fails; says where it stands
     const Eigen::VectorXd& solve(const Eigen::VectorXd& interfaceForce = {});
 
+    /// For whoever solves the step's equations together with others: the
+    /// interface force that would hold the structure at a displacement at the
+    /// end of the step, 0 where it is fixed [N].
+    Eigen::VectorXd requiredForce(const Eigen::VectorXd& displacement);
+
+    /// Factors the derivative of requiredForce() at a displacement, where the
+    /// next solve() starts.
+    /// @throws SolverError if it is singular
+    void linearise(const Eigen::VectorXd& displacement);
+
+    /// Changes of the displacement by interface forces, a column each, after
+    /// linearise().
+    Eigen::MatrixXd responses(const Eigen::MatrixXd& forces);
+
     /// The last solution becomes the state.
     void acceptTimeStep();
 

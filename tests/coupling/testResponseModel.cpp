@@ -1,0 +1,106 @@
+#include "coupling/ResponseModel.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tokay::coupling {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr int n = 6;
+
+CouplingOptions withoutLeastNoise() {
+    CouplingOptions options;
+    options.filterLimit = 0;
+    return options;
+}
+
+double error(const ResponseModel& model, const MatrixXd& J) {
+    return (model.matrix().A() * model.matrix().B().transpose() - J).norm() / J.norm();
+}
+
+TEST(ResponseModel, isExactAfterAsManyIndependentDifferencesAsThereAreDirections) {
+    std::srand(3);
+    const MatrixXd J = MatrixXd::Random(4, n);
+    ResponseModel model(withoutLeastNoise());
+    model.beginTimeStep();
+    EXPECT_TRUE(model.isIgnorant());
+    for (int k = 0; k < n; ++k) {
+        const VectorXd v = VectorXd::Random(n);
+        model.learn(v, J * v, 0);
+        EXPECT_LT((model.matrix().apply(v, 4) - J * v).norm(), 1e-10 * J.norm());
+    }
+    EXPECT_LT(error(model, J), 1e-10); // condition of the differences: some 1e2
+}
+
+TEST(ResponseModel, keepsInAStepWhatTheStepHasTaughtAndCorrectsEarlierSteps) {
+    std::srand(4);
+    const MatrixXd before = MatrixXd::Random(n, n);
+    const MatrixXd now = MatrixXd::Random(n, n);
+    ResponseModel model(withoutLeastNoise());
+    model.beginTimeStep();
+    for (int k = 0; k < n; ++k) {
+        model.learn(VectorXd::Unit(n, k), before.col(k), 0);
+    }
+    model.acceptTimeStep();
+    model.beginTimeStep();
+    model.learn(VectorXd::Unit(n, 0), now.col(0), 0);
+    model.learn(VectorXd::Unit(n, 0) + VectorXd::Unit(n, 1), now.col(0) + now.col(1), 0);
+    MatrixXd expected = before;
+    expected.leftCols(2) = now.leftCols(2);
+    EXPECT_LT(error(model, expected), 1e-13);
+}
+
+TEST(ResponseModel, aDifferenceWithinItsNoiseChangesLittle) {
+    const VectorXd v = VectorXd::Unit(n, 2);
+    const VectorXd w = VectorXd::Ones(n);
+    const auto learned = [&](double noise) {
+        ResponseModel model(withoutLeastNoise());
+        model.beginTimeStep();
+        model.learn(v, w, noise);
+        return model.matrix().apply(v, n)[0];
+    };
+    EXPECT_DOUBLE_EQ(learned(0), 1);
+    EXPECT_DOUBLE_EQ(learned(1), 0.5); // 1 / (1 + 1)
+    EXPECT_DOUBLE_EQ(learned(3), 0.1); // 1 / (1 + 9)
+}
+
+TEST(ResponseModel, differencesThatSayTheSameAreNotDividedByNothing) {
+    ResponseModel model{CouplingOptions()};
+    model.beginTimeStep();
+    const VectorXd v = VectorXd::Ones(n);
+    model.learn(v, v, 0);
+    model.learn(v, 2 * v, 0); // contradicts it
+    model.learn(VectorXd::Zero(n), v, 0);
+    ASSERT_TRUE(model.matrix().A().allFinite() && model.matrix().B().allFinite());
+    EXPECT_LE(model.matrix().apply(v, n).norm(), 2 * v.norm() * (1 + 1e-12));
+}
+
+TEST(ResponseModel, aRejectedStepLeavesNoTrace) {
+    ResponseModel model{CouplingOptions()};
+    model.beginTimeStep();
+    model.learn(VectorXd::Unit(n, 0), VectorXd::Ones(n), 0);
+    model.acceptTimeStep();
+    const MatrixXd B = model.matrix().B();
+    model.beginTimeStep();
+    model.learn(VectorXd::Unit(n, 1), VectorXd::Ones(n), 0);
+    model.rejectTimeStep();
+    EXPECT_EQ(model.matrix().B(), B);
+}
+
+TEST(ResponseModel, rankStaysBounded) {
+    std::srand(5);
+    CouplingOptions options;
+    options.largestRank = 8;
+    ResponseModel model(options);
+    for (int step = 0; step < 20; ++step) {
+        model.beginTimeStep();
+        model.learn(VectorXd::Random(50), VectorXd::Random(50), 0);
+        model.acceptTimeStep();
+        EXPECT_LE(model.matrix().rank(), 8);
+    }
+}
+
+} // namespace
+} // namespace tokay::coupling
