@@ -5,7 +5,7 @@
 #include "common/errors.hpp"
 #include "geometry/primitives.hpp"
 #include "geometry/refinement.hpp"
-#include "igaStructure/model/PlaneLine.hpp"
+#include "igaStructure/model/Line.hpp"
 #include "igaStructure/model/PlaneSolid.hpp"
 #include "igaStructure/model/shell/Shell.hpp"
 #include "igaStructure/timeIntegration/TimeIntegrator.hpp"
@@ -54,8 +54,8 @@ std::unique_ptr<StructuralModel> beam(const char* force) {
     section.mass = 10;
     LineLoads loads;
     loads.ends.push_back(
-        {LineEnd::end, std::array<Formula, 2>{Formula("0", ""), Formula(force, "")}, std::nullopt});
-    return std::make_unique<PlaneLine>(
+        {LineEnd::end, std::vector<Formula>{Formula("0", ""), Formula(force, "")}, std::nullopt});
+    return std::make_unique<Line>(
         geometry::refine(geometry::line({0, 0, 0}, {10, 0, 0}), 4, 32), section, Strains::nonlinear,
         std::vector<LineSupport>{{LineEnd::start, true, true, true}}, loads);
 }

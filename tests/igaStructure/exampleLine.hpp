@@ -2,7 +2,8 @@
 
 #include "geometry/primitives.hpp"
 #include "geometry/refinement.hpp"
-#include "igaStructure/model/PlaneLine.hpp"
+#include "igaStructure/model/Line.hpp"
+#include "igaStructure/model/planeVectors.hpp"
 #include "igaStructure/timeIntegration/TimeIntegrator.hpp"
 
 #include <cmath>
@@ -36,11 +37,11 @@ struct ExampleLine {
                                     : geometry::line({0, 0, 0}, {length, 0, 0}),
                                 degree, elements);
     }
-    PlaneLine build() const { return {curve(), section(), strains, supports, loads}; }
+    Line build() const { return {curve(), section(), strains, supports, loads}; }
 };
 
 inline EndLoad endForce(const std::string& x, const std::string& y) {
-    return {LineEnd::end, std::array<Formula, 2>{Formula(x, ""), Formula(y, "")}, std::nullopt};
+    return {LineEnd::end, std::vector<Formula>{Formula(x, ""), Formula(y, "")}, std::nullopt};
 }
 
 inline EndLoad endMoment(const std::string& moment) {
@@ -48,7 +49,7 @@ inline EndLoad endMoment(const std::string& moment) {
 }
 
 /// Static displacements after each of equal load steps from time 0 to 1.
-inline std::vector<Eigen::VectorXd> loadSteps(PlaneLine& line, int nSteps) {
+inline std::vector<Eigen::VectorXd> loadSteps(Line& line, int nSteps) {
     TimeIntegrator integrator(line, TimeScheme::quasiStatic(), NewtonOptions{1e-10, 40, true}, 0);
     std::vector<Eigen::VectorXd> displacements;
     for (int step = 1; step <= nSteps; ++step) {
@@ -61,13 +62,12 @@ inline std::vector<Eigen::VectorXd> loadSteps(PlaneLine& line, int nSteps) {
 }
 
 /// Displacement of the end of the axis, an interpolated control point.
-inline Eigen::Vector2d endDisplacement(const PlaneLine& line, const Eigen::VectorXd& unknowns) {
+inline Eigen::Vector2d endDisplacement(const Line& line, const Eigen::VectorXd& unknowns) {
     return line.controlDisplacements(unknowns).tail<2>();
 }
 
 /// Current tangent at a parameter, of length one.
-inline Eigen::Vector2d tangentAt(const PlaneLine& line, double xi,
-                                 const Eigen::VectorXd& unknowns) {
+inline Eigen::Vector2d tangentAt(const Line& line, double xi, const Eigen::VectorXd& unknowns) {
     const Eigen::VectorXd all = line.controlDisplacements(unknowns);
     const geometry::CurveBasis basis = line.curve().basis(xi, 1);
     Eigen::Vector2d tangent = line.curve().derivatives(xi, 1).row(1).head<2>();

@@ -18,7 +18,7 @@ namespace {
 // Half of von Mises' truss: a bar that rises by h over its base b, its upper end
 // on a vertical slider. With the strain of Green and Lagrange the force is
 // E A / 2 L^3 ((h + w)^3 - h^2 (h + w)), w the slider's displacement.
-PlaneLine truss(double h, double EA) {
+Line truss(double h, double EA) {
     LineSection section;
     section.axialStiffness = EA;
     section.mass = 1;
@@ -55,7 +55,7 @@ geometry::NurbsCurve sineArch(double rise, double span, int elements) {
 TEST(ArcLength, follows_von_Mises_truss_through_both_limit_points) {
     const double h = 0.1;
     const double EA = 1000;
-    PlaneLine line = truss(h, EA);
+    Line line = truss(h, EA);
     ArcLength path(line, NewtonOptions{1e-10, 25, true}, 0.02);
     const double L = std::hypot(1, h);
     double highest = 0;
@@ -95,8 +95,8 @@ TEST(ArcLength, shallow_sine_arch_snaps_at_the_load_of_the_shallow_theory) {
                                                   section.axialStiffness * (a * a - b * b) * b / 4);
     LineLoads loads;
     loads.tractions.push_back({Formula("0", ""), Formula("-t*sin(pi*x/10)", "")});
-    PlaneLine line(sineArch(a, L, 16), section, Strains::nonlinear,
-                   {{LineEnd::start, true, true, false}, {LineEnd::end, true, false, true}}, loads);
+    Line line(sineArch(a, L, 16), section, Strains::nonlinear,
+              {{LineEnd::start, true, true, false}, {LineEnd::end, true, false, true}}, loads);
     ArcLength path(line, NewtonOptions{1e-9, 25, true}, 0.02 * limit);
     double highest = 0;
     double previous = 0;
@@ -111,7 +111,7 @@ TEST(ArcLength, shallow_sine_arch_snaps_at_the_load_of_the_shallow_theory) {
 }
 
 TEST(ArcLength, energy_of_the_path_is_the_work_of_the_loads) {
-    PlaneLine line = truss(0.1, 1000);
+    Line line = truss(0.1, 1000);
     ArcLength path(line, NewtonOptions{1e-10, 25, true}, 0.002);
     for (int step = 0; step < 60; ++step) {
         path.advance();
@@ -123,7 +123,7 @@ TEST(ArcLength, energy_of_the_path_is_the_work_of_the_loads) {
 TEST(ArcLength, loads_without_a_factor_of_time_are_reported) {
     ExampleLine kind;
     kind.loads.ends.push_back(endForce("0", "1"));
-    PlaneLine line = kind.build();
+    Line line = kind.build();
     ArcLength path(line, {}, 0.1);
     try {
         path.advance();

@@ -30,7 +30,7 @@ ExampleLine loadedBeam(Strains strains) {
 } // namespace
 
 TEST(ExplicitIntegrator, stable_step_is_that_of_the_highest_frequency) {
-    PlaneLine line = loadedBeam(Strains::linear).build();
+    Line line = loadedBeam(Strains::linear).build();
     ExplicitIntegrator integrator(line, 0);
     SparseMatrix tangent;
     line.internalForce(VectorXd::Zero(line.nUnknowns()), tangent);
@@ -64,7 +64,7 @@ TEST(ExplicitIntegrator, lumped_mass_is_the_mass_of_the_body) {
 TEST(ExplicitIntegrator, nonlinear_beam_moves_as_with_the_implicit_scheme) {
     ExampleLine kind = loadedBeam(Strains::nonlinear);
     kind.elements = 16;
-    PlaneLine line = kind.build();
+    Line line = kind.build();
     ExplicitIntegrator integrator(line, 0);
     TimeIntegrator implicit(line, TimeScheme::newmark(0.25, 0.5), NewtonOptions{1e-10, 25, true},
                             0);

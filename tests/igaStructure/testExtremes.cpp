@@ -64,7 +64,7 @@ TEST(Extremes, time_step_a_thousand_times_too_large_ends_in_balance_or_with_a_re
     for (const double force : {0.01, 1.0, 100.0}) {
         ExampleLine kind;
         kind.loads.ends.push_back(endForce("0", fmt::format("{}", force)));
-        PlaneLine line = kind.build();
+        Line line = kind.build();
         expectBalanceOrReason(line, 1e3 * 57 / 20);
         ShellDescription plate = strip(0.1, 4, 8);
         plate.loads.edgeForces = {{{0, right}, VectorField::constant({0, 0, force})}};
@@ -94,8 +94,8 @@ TEST(Extremes, beam_and_shell_of_thickness_1e_minus_5_roll_up_to_a_circle) {
     LineLoads loads;
     loads.ends.push_back(
         endMoment(fmt::format("{:.17g}*t", 2 * M_PI * section.bendingStiffness / 12)));
-    PlaneLine line(geometry::refine(geometry::line({0, 0, 0}, {12, 0, 0}), 5, 32), section,
-                   Strains::nonlinear, {{LineEnd::start, true, true, true}}, loads);
+    Line line(geometry::refine(geometry::line({0, 0, 0}, {12, 0, 0}), 5, 32), section,
+              Strains::nonlinear, {{LineEnd::start, true, true, true}}, loads);
     TimeIntegrator integrator(line, TimeScheme::quasiStatic(), wholeUpdates(), 0);
     for (int step = 1; step <= 20; ++step) {
         integrator.beginTimeStep(0.05 * step, 0.05);
@@ -118,7 +118,7 @@ TEST(Extremes, beam_on_a_pin_is_spun_through_more_than_two_turns) {
     kind.elements = 4;
     kind.supports = {{LineEnd::start, true, true, false}};
     kind.loads.ends.push_back(endMoment("1"));
-    PlaneLine line = kind.build();
+    Line line = kind.build();
     TimeIntegrator integrator(line, TimeScheme::generalisedAlpha(0.8), wholeUpdates(), 0);
     double angle = 0;
     Vector2d before(10, 0);

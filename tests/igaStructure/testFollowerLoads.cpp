@@ -151,7 +151,7 @@ TEST(FollowerLoads, line_says_truly_whether_its_tangent_is_symmetric) {
         line.loads.ends.push_back(endMoment("30"));
         line.loads.pressures.emplace_back(kind.pressure, "");
         line.supports.push_back({LineEnd::end, kind.heldEnd, false, false});
-        const PlaneLine beam = line.build();
+        const Line beam = line.build();
         EXPECT_EQ(beam.hasSymmetricTangent(), kind.isSymmetric) << kind.pressure;
         const VectorXd d = allowedMotion(beam, 0.3);
         const MatrixXd derivative = followerDerivative(beam, d);
@@ -200,6 +200,6 @@ TEST(FollowerLoads, Newton_is_quadratic_for_a_cantilevered_strip_under_pressure)
 TEST(FollowerLoads, Newton_is_quadratic_for_a_cantilever_beam_under_pressure) {
     ExampleLine kind;
     kind.loads.pressures.emplace_back("-0.3*t", "");
-    PlaneLine line = kind.build();
+    Line line = kind.build();
     expectQuadratic(line, 4);
 }

@@ -22,8 +22,8 @@ std::unique_ptr<Body> beam(Strains strains) {
     ExampleLine kind;
     kind.strains = strains;
     return std::make_unique<LineBody>(
-        PlaneLine(geometry::refine(geometry::line({0, 0, 0}, {0, 1, 0}), 3, 8), kind.section(),
-                  strains, {}, {}));
+        Line(geometry::refine(geometry::line({0, 0, 0}, {0, 1, 0}), 3, 8), kind.section(), strains,
+             {}, {}));
 }
 
 // A thick flap whose depth is not 1, so that forces per unit depth are seen.

@@ -30,8 +30,8 @@ std::string coupledBeam(const std::string& strains) {
 LineBody flap(Strains strains) {
     ExampleLine kind;
     kind.strains = strains;
-    return LineBody(PlaneLine(geometry::refine(geometry::line({0, 0, 0}, {0, 1, 0}), 3, 8),
-                              kind.section(), strains, {{LineEnd::start, true, true, true}}, {}));
+    return LineBody(Line(geometry::refine(geometry::line({0, 0, 0}, {0, 1, 0}), 3, 8),
+                         kind.section(), strains, {{LineEnd::start, true, true, true}}, {}));
 }
 
 VectorXd randomVector(Eigen::Index size, double amplitude, unsigned seed) {
@@ -104,7 +104,7 @@ TEST(LineTransfer, couple_of_opposite_forces_on_both_sides_arrives_as_a_moment) 
     const VectorXd d = VectorXd::Zero(body.model().nUnknowns());
     const VectorXd force = boundary.forces(values, d);
     // A small rotation about the foot as variation: work = moment = 2 x 0.05.
-    const auto& line = static_cast<const PlaneLine&>(body.model());
+    const auto& line = static_cast<const Line&>(body.model());
     VectorXd rotation(d.size());
     for (int k = 0; k < line.curve().nControlPoints(); ++k) {
         rotation.segment<2>(2 * k) =
@@ -151,7 +151,7 @@ TEST(LineTransfer, coupled_beam_moves_under_a_constant_force_as_under_a_traction
     text.replace(text.find("nonlinear"), 9, "linear");
     const Case alone = readText(text);
     auto line = std::get<LineCase>(alone.structure);
-    PlaneLine model(line.curve, line.section, line.strains, line.supports, line.loads);
+    Line model(line.curve, line.section, line.strains, line.supports, line.loads);
     TimeIntegrator integrator(model, alone.timeScheme, alone.newton, 0);
     for (int step = 1; step <= 10; ++step) {
         integrator.beginTimeStep(0.01 * step, 0.01);

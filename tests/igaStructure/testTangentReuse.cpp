@@ -78,7 +78,7 @@ TEST(TangentReuse, tangent_that_no_longer_serves_is_replaced) {
     ExampleLine kind;
     kind.supports.push_back({LineEnd::end, true, true, false});
     kind.loads.tractions.push_back({Formula("0", ""), Formula("t < 1.5 ? -0.001*t : -100", "")});
-    PlaneLine line = kind.build();
+    Line line = kind.build();
     NewtonOptions newton = reusing(0.5);
     newton.maximumIterations = 60;
     TimeIntegrator integrator(line, TimeScheme::quasiStatic(), newton, 0);

@@ -1,6 +1,7 @@
 #include "igaStructure/body/LineBody.hpp"
 
 #include "igaStructure/body/LineTransfer.hpp"
+#include "igaStructure/model/planeVectors.hpp"
 #include "igaStructure/output/curveMesh.hpp"
 
 #include <fmt/format.h>
@@ -19,8 +20,8 @@ std::string LineBody::description() const {
     const geometry::NurbsCurve& curve = line_.curve();
     const LineSection& section = line_.section();
     std::string text = fmt::format(
-        "  {}, {} strains, degree {}, {} elements{}\n  axial stiffness {:g} N",
-        section.bends() ? "Euler-Bernoulli beam" : "cable",
+        "  {}{}, {} strains, degree {}, {} elements{}\n  axial stiffness {:g} N",
+        section.bends() ? "Euler-Bernoulli beam" : "cable", isInPlane() ? "" : " in space",
         line_.isLinear() ? "linear" : "nonlinear", curve.degree(), curve.knotVector().nSpans(),
         curve.isRational() ? ", rational" : "", section.axialStiffness);
     text += section.bends()
@@ -32,9 +33,11 @@ std::string LineBody::description() const {
 }
 
 std::vector<VtuMesh> LineBody::meshes(const OutputOptions& options) const {
-    return {options.cells == CellShape::bezier
-                ? bezierMesh(line_.curve())
-                : stripMesh(line_.curve(), options.subdivision, line_.section().thickness)};
+    if (options.cells == CellShape::bezier) {
+        return {bezierMesh(line_.curve())};
+    }
+    return {isInPlane() ? stripMesh(line_.curve(), options.subdivision, line_.section().thickness)
+                        : segmentMesh(line_.curve(), options.subdivision)};
 }
 
 std::vector<std::string> LineBody::fieldNames() const {
@@ -69,9 +72,27 @@ LineField LineBody::evaluate(const VectorXd& field, double xi) const {
     return result;
 }
 
+MatrixXd LineBody::axisValues(const VectorXd& ofControlPoints,
+                              const std::vector<Place>& places) const {
+    const int d = line_.dimension();
+    MatrixXd values = MatrixXd::Zero(3, places.size());
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const geometry::CurveBasis basis = line_.curve().basis(places[k].xi, 0);
+        for (int a = 0; a < basis.N.cols(); ++a) {
+            values.col(k).head(d) +=
+                basis.N(0, a) * ofControlPoints.segment(d * (basis.first + a), d);
+        }
+    }
+    return values;
+}
+
 MatrixXd LineBody::positions(const std::vector<Place>& places) const {
     MatrixXd values = MatrixXd::Zero(3, places.size());
     for (std::size_t k = 0; k < places.size(); ++k) {
+        if (!isInPlane()) {
+            values.col(k) = line_.curve().point(places[k].xi);
+            continue;
+        }
         const LineField axis = reference(places[k].xi);
         values.col(k).head<2>() = axis.value + places[k].zeta * turned(axis.slope).normalized();
     }
@@ -81,6 +102,9 @@ MatrixXd LineBody::positions(const std::vector<Place>& places) const {
 MatrixXd LineBody::displacements(const VectorXd& displacement,
                                  const std::vector<Place>& places) const {
     const VectorXd all = line_.controlDisplacements(displacement);
+    if (!isInPlane()) {
+        return axisValues(all, places);
+    }
     MatrixXd values = MatrixXd::Zero(3, places.size());
     for (std::size_t k = 0; k < places.size(); ++k) {
         const double xi = places[k].xi;
@@ -95,6 +119,9 @@ MatrixXd LineBody::motion(const std::string& name, const MotionState& state,
     const VectorXd displacement = line_.controlDisplacements(state.displacement);
     const VectorXd velocity = line_.controlDisplacements(state.velocity);
     const VectorXd acceleration = line_.controlDisplacements(state.acceleration);
+    if (!isInPlane()) {
+        return axisValues(name == "velocity" ? velocity : acceleration, places);
+    }
     const bool isLinear = line_.isLinear();
     MatrixXd values = MatrixXd::Zero(3, places.size());
     for (std::size_t k = 0; k < places.size(); ++k) {
@@ -147,10 +174,14 @@ MatrixXd LineBody::field(const std::string& name, const MotionState& state,
 
 Body::Closest LineBody::closest(const geometry::Point& point) const {
     const geometry::CurveProjection found = projector_.closest(point);
+    const double half = 0.5 * line_.section().thickness;
+    if (!isInPlane()) {
+        const double distance = (point - line_.curve().point(found.xi)).norm();
+        return {{0, found.xi, 0, 0}, std::max(0.0, distance - half)};
+    }
     const LineField axis = reference(found.xi);
     const Vector2d offset = point.head<2>() - axis.value;
     const Vector2d tangent = axis.slope.normalized();
-    const double half = 0.5 * line_.section().thickness;
     const double across = turned(tangent).dot(offset);
     const double zeta = std::clamp(across, -half, half);
     return {{0, found.xi, 0, zeta}, std::hypot(tangent.dot(offset), across - zeta, point[2])};

@@ -3,25 +3,27 @@
 #include "geometry/CurveProjector.hpp"
 #include "igaStructure/body/Body.hpp"
 #include "igaStructure/body/sectionMotion.hpp"
-#include "igaStructure/model/PlaneLine.hpp"
+#include "igaStructure/model/Line.hpp"
 
 namespace tokay::structure {
 
-/// A beam or cable in the plane z = 0, as thick as its section: sections move
-/// as rigid lines normal to the axis.
+/// A beam or cable. In the plane z = 0 it is as thick as its section: sections
+/// move as rigid lines normal to the axis. In space it is its axis, for without
+/// torsion nothing says how sections turn about it.
 class LineBody : public Body {
   public:
-    explicit LineBody(PlaneLine line) : line_(std::move(line)), projector_(line_.curve()) {}
+    explicit LineBody(Line line) : line_(std::move(line)), projector_(line_.curve()) {}
 
     StructuralModel& model() override { return line_; }
     const StructuralModel& model() const override { return line_; }
-    int dimension() const override { return 2; }
+    int dimension() const override { return line_.dimension(); }
     std::string description() const override;
 
-    /// quads: the body over its thickness. bezier: its axis.
+    /// quads: the body over its thickness, in space straight pieces of its axis.
+    /// bezier: its axis.
     std::vector<VtuMesh> meshes(const OutputOptions& options) const override;
 
-    /// axialStress: along the axis, at the place in the thickness.
+    /// axialStress: along the axis, at the place in the thickness; in space on the axis.
     std::vector<std::string> fieldNames() const override;
     std::vector<std::string> defaultFields() const override;
     Eigen::MatrixXd positions(const std::vector<Place>& places) const override;
@@ -37,14 +39,18 @@ class LineBody : public Body {
                                                 const geometry::Points& points) const override;
 
   private:
+    bool isInPlane() const { return line_.dimension() == 2; }
     LineField reference(double xi) const;
     LineField evaluate(const Eigen::VectorXd& field, double xi) const;
+    /// Of a field of control points on the axis, 3 x n.
+    Eigen::MatrixXd axisValues(const Eigen::VectorXd& ofControlPoints,
+                               const std::vector<Place>& places) const;
     Eigen::MatrixXd motion(const std::string& name, const MotionState& state,
                            const std::vector<Place>& places) const;
     double resultant(const std::string& name, const Eigen::VectorXd& displacement,
                      const Place& place) const;
 
-    PlaneLine line_;
+    Line line_;
     geometry::CurveProjector projector_;
 };
 

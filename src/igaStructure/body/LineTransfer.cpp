@@ -1,5 +1,6 @@
 #include "igaStructure/body/LineTransfer.hpp"
 
+#include <cassert>
 #include <numeric>
 
 namespace tokay::structure {
@@ -10,7 +11,7 @@ namespace {
 
 using Pairs = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
 
-mapper::SplineInterface axisOf(const PlaneLine& line) {
+mapper::SplineInterface axisOf(const Line& line) {
     std::vector<int> numbers(line.curve().nControlPoints());
     std::iota(numbers.begin(), numbers.end(), 0);
     return {{{line.curve(), numbers, "axis"}}, line.curve().nControlPoints()};
@@ -18,8 +19,10 @@ mapper::SplineInterface axisOf(const PlaneLine& line) {
 
 } // namespace
 
-LineTransfer::LineTransfer(const PlaneLine& line, const Coupling& coupling, const Points& points)
-    : line_(line), axis_(axisOf(line)), toPoints_(axis_, points, {coupling.gapLimit, true}) {}
+LineTransfer::LineTransfer(const Line& line, const Coupling& coupling, const Points& points)
+    : line_(line), axis_(axisOf(line)), toPoints_(axis_, points, {coupling.gapLimit, true}) {
+    assert(line.dimension() == 2);
+}
 
 Points LineTransfer::ofControlPoints(const Eigen::VectorXd& displacement) const {
     const Eigen::VectorXd flat = line_.controlDisplacements(displacement);

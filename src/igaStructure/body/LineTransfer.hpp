@@ -2,18 +2,18 @@
 
 #include "igaStructure/body/InterfaceTransfer.hpp"
 #include "igaStructure/caseFile/Coupling.hpp"
-#include "igaStructure/model/PlaneLine.hpp"
+#include "igaStructure/model/Line.hpp"
 #include "mapper/OffsetMapping.hpp"
 
 namespace tokay::structure {
 
-/// Transfer between a beam or cable and the fluid around it: points move with
+/// Transfer between a beam or cable in the plane and the fluid around it: points move with
 /// the section at which they lie, both sides and the ends.
 class LineTransfer : public InterfaceTransfer {
   public:
     /// @param line  is kept by reference
     /// @throws InputError if a point is farther from the axis than the gap limit
-    LineTransfer(const PlaneLine& line, const Coupling& coupling, const geometry::Points& points);
+    LineTransfer(const Line& line, const Coupling& coupling, const geometry::Points& points);
 
     geometry::Points displacements(const Eigen::VectorXd& displacement) const override;
     geometry::Points variation(const Eigen::VectorXd& displacement,
@@ -29,7 +29,7 @@ class LineTransfer : public InterfaceTransfer {
   private:
     geometry::Points ofControlPoints(const Eigen::VectorXd& displacement) const;
 
-    const PlaneLine& line_;
+    const Line& line_;
     mapper::SplineInterface axis_;
     mapper::OffsetMapping toPoints_;
 };

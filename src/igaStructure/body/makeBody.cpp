@@ -18,7 +18,7 @@ std::unique_ptr<Body> make(const PlaneSolidCase& solid) {
 
 std::unique_ptr<Body> make(const LineCase& line) {
     return std::make_unique<LineBody>(
-        PlaneLine(line.curve, line.section, line.strains, line.supports, line.loads));
+        Line(line.curve, line.section, line.strains, line.supports, line.loads, line.dimension));
 }
 
 std::unique_ptr<Body> make(const ShellDescription& shell) {

@@ -1,6 +1,6 @@
 #include "igaStructure/body/sectionMotion.hpp"
 
-#include "igaStructure/model/LineStrain.hpp"
+#include "igaStructure/model/planeVectors.hpp"
 
 namespace tokay::structure {
 

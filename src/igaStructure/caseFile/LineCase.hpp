@@ -14,6 +14,7 @@ struct LineCase {
     Strains strains;
     std::vector<LineSupport> supports;
     LineLoads loads;
+    int dimension; ///< 2: in the plane z = 0; 3: in space
 };
 
 } // namespace tokay::structure

@@ -3,6 +3,7 @@
 #include "common/errors.hpp"
 #include "igaStructure/caseFile/CaseSection.hpp"
 #include "igaStructure/caseFile/readCoupling.hpp"
+#include "igaStructure/caseFile/readGeometry.hpp"
 #include "igaStructure/caseFile/readLine.hpp"
 #include "igaStructure/caseFile/readPlaneSolid.hpp"
 #include "igaStructure/caseFile/readShell.hpp"
@@ -11,7 +12,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 
 namespace tokay::structure {
@@ -111,14 +111,7 @@ OutputOptions readOutput(const CaseSection& section, const std::string& director
     output.cells = section.text("cells") == "bezier" ? CellShape::bezier : CellShape::quads;
     output.subdivision = section.integer("subdivision");
     for (const CaseSection& item : section.list("watchPoints")) {
-        WatchPoint point{item.text("name"), geometry::Point::Zero()};
-        const std::vector<double> at = item.numbers("at");
-        if (at.size() != 2 && at.size() != 3) {
-            throw item.error(
-                "at", fmt::format("must be [x, y] or [x, y, z], but has {} values", at.size()));
-        }
-        std::copy(at.begin(), at.end(), point.at.begin());
-        output.watchPoints.push_back(std::move(point));
+        output.watchPoints.push_back({item.text("name"), readCoordinates(item, "at")});
     }
     return output;
 }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace tokay::structure {
@@ -42,23 +43,27 @@ geometry::NurbsSurface refined(const geometry::NurbsSurface& coarse, const CaseS
     return geometry::refine(coarse, degree[0], degree[1], elements[0], elements[1]);
 }
 
+std::string curveShape(const CaseSection& geometry) {
+    return geometry.exactlyOne({"line", "arc", "nurbs"});
+}
+
 geometry::NurbsCurve readLine(const CaseSection& section) {
-    const std::vector<double> from = section.numbers("from");
-    const std::vector<double> to = section.numbers("to");
+    const geometry::Point from = readCoordinates(section, "from");
+    const geometry::Point to = readCoordinates(section, "to");
     try {
-        return geometry::line({from[0], from[1], 0}, {to[0], to[1], 0});
+        return geometry::line(from, to);
     } catch (const InputError& error) {
         throw section.error("to", error.what());
     }
 }
 
 geometry::NurbsCurve readArc(const CaseSection& section) {
-    const std::vector<double> centre = section.numbers("centre");
+    const geometry::Point centre = readCoordinates(section, "centre");
     const std::vector<double> angles = section.numbers("angles");
     constexpr double radians = M_PI / 180;
     try {
-        return geometry::arc({centre[0], centre[1], 0}, section.number("radius"),
-                             radians * angles[0], radians * angles[1]);
+        return geometry::arc(centre, section.number("radius"), radians * angles[0],
+                             radians * angles[1]);
     } catch (const InputError& error) {
         throw section.error("angles", error.what());
     }
@@ -106,12 +111,38 @@ Eigen::VectorXd readWeights(const CaseSection& section) {
 
 geometry::NurbsCurve readCurve(const CaseSection& file) {
     const CaseSection section = file.section("geometry");
-    const std::string shape = section.exactlyOne({"line", "arc", "nurbs"});
+    const std::string shape = curveShape(section);
     const CaseSection given = section.section(shape);
     return refined(shape == "line"  ? readLine(given)
                    : shape == "arc" ? readArc(given)
                                     : readNurbsCurve(given),
                    file.section("discretisation"));
+}
+
+int curveDimension(const CaseSection& file) {
+    const CaseSection section = file.section("geometry");
+    const std::string shape = curveShape(section);
+    const CaseSection given = section.section(shape);
+    std::vector<std::vector<double>> points;
+    if (shape == "line") {
+        points = {given.numbers("from"), given.numbers("to")};
+    } else if (shape == "arc") {
+        points = {given.numbers("centre")};
+    } else {
+        points = given.points("controlPoints");
+    }
+    const bool hasZ = std::any_of(points.begin(), points.end(),
+                                  [](const auto& point) { return point.size() == 3; });
+    return hasZ ? 3 : 2;
+}
+
+geometry::Point readCoordinates(const CaseSection& section, const std::string& name) {
+    const std::vector<double> given = section.numbers(name);
+    if (given.size() != 2 && given.size() != 3) {
+        throw section.error(
+            name, fmt::format("must be [x, y] or [x, y, z], but has {} values", given.size()));
+    }
+    return {given[0], given[1], given.size() == 3 ? given[2] : 0};
 }
 
 geometry::NurbsSurface readUnrefinedSurface(const CaseSection& section) {

@@ -4,6 +4,8 @@
 #include "igaStructure/caseFile/readGeometry.hpp"
 #include "igaStructure/caseFile/requireUsed.hpp"
 
+#include <fmt/format.h>
+
 namespace tokay::structure {
 
 namespace {
@@ -12,13 +14,19 @@ bool isBeam(const CaseSection& file) {
     return file.section("model").text("kinematics") == "beam";
 }
 
+bool isInSpace(const CaseSection& file) {
+    return curveDimension(file) == 3;
+}
+
 std::string owner(const CaseSection& file) {
-    return isBeam(file) ? "a beam" : "a cable";
+    return std::string(isBeam(file) ? "a beam" : "a cable") + (isInSpace(file) ? " in space" : "");
 }
 
 // E, or E/(1 - nu^2) where the section cannot strain across the plane.
-double axialModulus(const CaseSection& model, const CaseSection& material, bool beam) {
-    const bool isPlaneStrain = model.has("section") ? model.text("section") == "planeStrain" : beam;
+double axialModulus(const CaseSection& model, const CaseSection& material,
+                    bool isPlaneStrainByDefault) {
+    const bool isPlaneStrain =
+        model.has("section") ? model.text("section") == "planeStrain" : isPlaneStrainByDefault;
     material.require("poissonsRatio", "beam and cable need it");
     const double nu = material.number("poissonsRatio");
     return material.number("youngsModulus") / (isPlaneStrain ? 1 - nu * nu : 1);
@@ -49,18 +57,35 @@ void requireUsable(const CaseSection& model, bool beam) {
     }
 }
 
+void requireUsableInSpace(const CaseSection& model, bool beam) {
+    if (model.has("section") && model.text("section") == "planeStrain") {
+        throw model.error("section", "planeStrain has no meaning in space, where a line is a rod "
+                                     "with the modulus E; remove it");
+    }
+    if (beam && model.has("width") && model.number("width") != model.number("thickness")) {
+        throw model.error("width", fmt::format("{:g} is not the thickness {:g}: in space a beam "
+                                               "bends alike in all directions, so its section is "
+                                               "a square; remove it",
+                                               model.number("width"), model.number("thickness")));
+    }
+}
+
 LineSection readSection(const CaseSection& file) {
     const CaseSection model = file.section("model");
     const CaseSection material = file.section("material");
     const CaseSection damping = material.section("rayleighDamping");
     const bool beam = isBeam(file);
+    const bool inSpace = isInSpace(file);
     requireUsable(model, beam);
+    if (inSpace) {
+        requireUsableInSpace(model, beam);
+    }
     LineSection section;
     section.thickness = model.number("thickness");
-    section.width = numberOr(model, "width", 1);
+    section.width = numberOr(model, "width", inSpace ? section.thickness : 1);
     const double area = section.thickness * section.width;
     const double secondMoment = area * section.thickness * section.thickness / 12;
-    const double modulus = axialModulus(model, material, beam);
+    const double modulus = axialModulus(model, material, beam && !inSpace);
     const double density = material.number("density");
     section.axialStiffness = modulus * area;
     section.bendingStiffness = beam ? modulus * secondMoment : 0;
@@ -80,31 +105,44 @@ LineEnd readEnd(const CaseSection& section) {
 
 std::vector<LineSupport> readSupports(const CaseSection& file) {
     std::vector<LineSupport> supports;
-    const std::vector<std::string> components = isBeam(file)
-                                                    ? std::vector<std::string>{"x", "y", "rotation"}
-                                                    : std::vector<std::string>{"x", "y"};
+    std::vector<std::string> components = {"x", "y"};
+    if (isInSpace(file)) {
+        components.push_back("z");
+    }
+    if (isBeam(file)) {
+        components.push_back("rotation");
+    }
     for (const CaseSection& section : file.list("supports")) {
         requireUsed(section, {"end", "fix"}, owner(file));
         section.require("end", owner(file) + " is held there");
         LineSupport support{readEnd(section)};
         for (const std::string& component : section.words("fix", components, owner(file))) {
-            (component == "x" ? support.x : component == "y" ? support.y : support.rotation) = true;
+            (component == "x"   ? support.x
+             : component == "y" ? support.y
+             : component == "z" ? support.z
+                                : support.rotation) = true;
         }
         supports.push_back(support);
     }
     return supports;
 }
 
-std::array<Formula, 2> pair(const CaseSection& section, const std::string& name) {
-    std::vector<Formula> formulas = section.formulas(name, 2);
-    return {std::move(formulas[0]), std::move(formulas[1])};
+void requireNoFollower(const CaseSection& section) {
+    if (section.has("moment")) {
+        throw section.error("moment", "has no meaning in space, where a moment that turns with the "
+                                      "end has no one axis; give a force");
+    }
+    if (section.has("pressure")) {
+        throw section.error("pressure", "has no meaning in space, where a line has no side; give "
+                                        "traction");
+    }
 }
 
-void readEndLoad(const CaseSection& section, bool beam, LineLoads& loads) {
+void readEndLoad(const CaseSection& section, bool beam, int dimension, LineLoads& loads) {
     requireUsed(section, {"end", "force", "moment"}, "end");
     EndLoad load{readEnd(section), std::nullopt, std::nullopt};
     if (section.has("force")) {
-        load.force = pair(section, "force");
+        load.force = section.formulas("force", dimension);
     }
     if (section.has("moment")) {
         if (!beam) {
@@ -120,18 +158,22 @@ void readEndLoad(const CaseSection& section, bool beam, LineLoads& loads) {
 
 LineLoads readLoads(const CaseSection& file) {
     LineLoads loads;
+    const int dimension = curveDimension(file);
     for (const CaseSection& section : file.list("loads")) {
         requireUsed(section, {"end", "force", "moment", "traction", "gravity", "pressure"},
                     owner(file));
+        if (dimension == 3) {
+            requireNoFollower(section);
+        }
         if (section.has("end")) {
-            readEndLoad(section, isBeam(file), loads);
+            readEndLoad(section, isBeam(file), dimension, loads);
             continue;
         }
         const std::string kind = section.exactlyOne({"traction", "gravity", "pressure"});
         if (kind == "traction") {
-            loads.tractions.push_back(pair(section, kind));
+            loads.tractions.push_back(section.formulas(kind, dimension));
         } else if (kind == "gravity") {
-            loads.gravities.push_back(pair(section, kind));
+            loads.gravities.push_back(section.formulas(kind, dimension));
         } else {
             loads.pressures.push_back(section.formula(kind));
         }
@@ -142,10 +184,18 @@ LineLoads readLoads(const CaseSection& file) {
 } // namespace
 
 LineCase readLine(const CaseSection& file) {
-    return {readCurve(file), readSection(file),
+    if (isInSpace(file) && file.has("coupling")) {
+        throw file.error("coupling", owner(file) + " cannot be coupled: without torsion nothing "
+                                                   "says how its surface moves; couple a shell or "
+                                                   "solid, or a line in the plane");
+    }
+    return {readCurve(file),
+            readSection(file),
             file.section("model").text("strains") == "linear" ? Strains::linear
                                                               : Strains::nonlinear,
-            readSupports(file), readLoads(file)};
+            readSupports(file),
+            readLoads(file),
+            curveDimension(file)};
 }
 
 } // namespace tokay::structure

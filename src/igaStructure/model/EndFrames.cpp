@@ -1,17 +1,32 @@
 #include "igaStructure/model/EndFrames.hpp"
 
 #include "common/errors.hpp"
-#include "igaStructure/model/LineStrain.hpp"
+#include <Eigen/Geometry>
 
 #include <algorithm>
 
 namespace tokay::structure {
 
-using Eigen::Vector2d;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
 
-EndFrames::EndFrames(const geometry::NurbsCurve& curve, const std::vector<LineSupport>& supports)
-    : fixed_(2 * curve.nControlPoints(), false), toDisplacements_(fixed_.size(), fixed_.size()),
-      heldMotions_(0, 3) {
+namespace {
+
+// Columns: the tangent and what is across it; in the plane the last one is z.
+Matrix3d frame(const Vector3d& tangent, int dimension) {
+    const Vector3d normal =
+        dimension == 2 ? Vector3d(-tangent[1], tangent[0], 0) : tangent.unitOrthogonal();
+    Matrix3d axes;
+    axes << tangent, normal, tangent.cross(normal);
+    return axes;
+}
+
+} // namespace
+
+EndFrames::EndFrames(const geometry::NurbsCurve& curve, const std::vector<LineSupport>& supports,
+                     int dimension)
+    : dimension_(dimension), fixed_(dimension * curve.nControlPoints(), false),
+      toDisplacements_(fixed_.size(), fixed_.size()), heldMotions_(0, 6) {
     toDisplacements_.setIdentity();
     for (const LineSupport& support : supports) {
         hold(curve, support);
@@ -31,37 +46,50 @@ void EndFrames::hold(const geometry::NurbsCurve& curve, const LineSupport& suppo
     const int second = support.end == LineEnd::start ? 1 : n - 2;
     const geometry::Points& points = curve.controlPoints();
     const double size = (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
-    const Vector2d x = (points.row(first) - points.colwise().mean()).head<2>().transpose() / size;
-    const auto holdMotion = [&](const Eigen::RowVector3d& motion) {
-        heldMotions_.conservativeResize(heldMotions_.rows() + 1, 3);
-        heldMotions_.bottomRows<1>() = motion;
-    };
-    if (support.x) {
-        fixed_[2 * first] = true;
-        holdMotion({1, 0, -x[1]});
+    const Vector3d x = (points.row(first) - points.colwise().mean()).transpose() / size;
+    const bool held[3] = {support.x, support.y, support.z};
+    for (int c = 0; c < dimension_; ++c) {
+        if (held[c]) {
+            fixed_[dimension_ * first + c] = true;
+            holdMotion(Vector3d::Unit(c), x.cross(Vector3d::Unit(c)));
+        }
     }
-    if (support.y) {
-        fixed_[2 * first + 1] = true;
-        holdMotion({0, 1, x[0]});
+    if (support.rotation) {
+        holdRotation(first, second, (points.row(second) - points.row(first)).normalized());
     }
-    if (!support.rotation) {
-        return;
-    }
-    const Vector2d tangent =
-        (points.row(second) - points.row(first)).head<2>().transpose().normalized();
-    const Vector2d normal = turned(tangent);
-    const Eigen::Matrix2d across = normal * normal.transpose();
-    for (int i = 0; i < 2; ++i) {
-        toDisplacements_.coeffRef(2 * second + i, 2 * second) = tangent[i];
-        toDisplacements_.coeffRef(2 * second + i, 2 * second + 1) = normal[i];
-        for (int j = 0; j < 2; ++j) {
-            toDisplacements_.coeffRef(2 * second + i, 2 * first + j) = across(i, j);
+}
+
+void EndFrames::holdMotion(const Vector3d& translation, const Vector3d& rotation) {
+    heldMotions_.conservativeResize(heldMotions_.rows() + 1, 6);
+    heldMotions_.bottomRows<1>() << translation.transpose(), rotation.transpose();
+}
+
+void EndFrames::holdRotation(int first, int second, const Vector3d& tangent) {
+    const Matrix3d axes = frame(tangent, dimension_);
+    const Matrix3d across = Matrix3d::Identity() - tangent * tangent.transpose();
+    for (int i = 0; i < dimension_; ++i) {
+        for (int j = 0; j < dimension_; ++j) {
+            const int row = dimension_ * second + i;
+            toDisplacements_.coeffRef(row, dimension_ * second + j) = axes(i, j);
+            toDisplacements_.coeffRef(row, dimension_ * first + j) = across(i, j);
         }
     }
     toDisplacements_.makeCompressed();
     isIdentity_ = false;
-    fixed_[2 * second + 1] = true;
-    holdMotion({0, 0, 1});
+    for (int c = 1; c < dimension_; ++c) {
+        fixed_[dimension_ * second + c] = true;
+        // Turns the tangent towards that axis.
+        holdMotion(Vector3d::Zero(), tangent.cross(axes.col(c)));
+    }
+}
+
+Eigen::MatrixXd EndFrames::heldMotions() const {
+    if (dimension_ == 3) {
+        return heldMotions_;
+    }
+    Eigen::MatrixXd inPlane(heldMotions_.rows(), 3);
+    inPlane << heldMotions_.leftCols<2>(), heldMotions_.rightCols<1>();
+    return inPlane;
 }
 
 Eigen::VectorXd EndFrames::displacements(const Eigen::VectorXd& unknowns) const {

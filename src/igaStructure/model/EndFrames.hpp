@@ -13,18 +13,21 @@ namespace tokay::structure {
 /// its first two control points, so the end keeps its direction if and only if
 /// the second one moves with the first across the tangent, however large the
 /// motion. Where a rotation is held the second control point's unknowns are
-/// therefore its displacement along the reference tangent, and across it
-/// relative to the first control point: the latter is then zero.
+/// therefore its displacement along the reference tangent, and across it (in
+/// space along two normals) relative to the first control point: these are then
+/// zero.
 class EndFrames {
   public:
+    /// @param dimension  2 or 3: unknowns a control point
     /// @throws InputError if two held ends share a control point
-    EndFrames(const geometry::NurbsCurve& curve, const std::vector<LineSupport>& supports);
+    EndFrames(const geometry::NurbsCurve& curve, const std::vector<LineSupport>& supports,
+              int dimension);
 
-    /// Unknowns that supports hold, 2 nControlPoints.
+    /// Unknowns that supports hold, dimension nControlPoints.
     const std::vector<bool>& fixed() const { return fixed_; }
 
-    /// @param unknowns  2 nControlPoints
-    /// @return          displacements of control points along x and y
+    /// @param unknowns  dimension nControlPoints
+    /// @return          displacements of control points along x, y and in space z
     Eigen::VectorXd displacements(const Eigen::VectorXd& unknowns) const;
 
     /// The transpose: forces on unknowns.
@@ -33,17 +36,20 @@ class EndFrames {
     /// A matrix for control points becomes one for unknowns.
     Eigen::SparseMatrix<double> matrix(const Eigen::SparseMatrix<double>& ofControlPoints) const;
 
-    /// Rigid motions (along x, along y, rotation) at what is held, one row each;
-    /// lengths relative to the line's size.
-    Eigen::MatrixX3d heldMotions() const { return heldMotions_; }
+    /// Rigid motions at what is held, one row each; lengths relative to the line's
+    /// size. Columns as freeRigidMotions() has them.
+    Eigen::MatrixXd heldMotions() const;
 
   private:
     void hold(const geometry::NurbsCurve& curve, const LineSupport& support);
+    void holdMotion(const Eigen::Vector3d& translation, const Eigen::Vector3d& rotation);
+    void holdRotation(int first, int second, const Eigen::Vector3d& tangent);
 
+    int dimension_;
     bool isIdentity_ = true;
     std::vector<bool> fixed_;
     Eigen::SparseMatrix<double> toDisplacements_;
-    Eigen::MatrixX3d heldMotions_;
+    Eigen::Matrix<double, Eigen::Dynamic, 6> heldMotions_; // in space
 };
 
 } // namespace tokay::structure

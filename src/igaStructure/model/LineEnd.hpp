@@ -11,6 +11,7 @@ struct LineSupport {
     bool x = false;
     bool y = false;
     bool rotation = false;
+    bool z = false; ///< in space
 };
 
 } // namespace tokay::structure

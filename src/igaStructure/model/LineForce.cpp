@@ -1,10 +1,14 @@
 #include "igaStructure/model/LineForce.hpp"
 
+#include "igaStructure/model/planeVectors.hpp"
+
 #include <algorithm>
+#include <cassert>
 
 namespace tokay::structure {
 
 using Eigen::Vector2d;
+using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 namespace {
@@ -12,25 +16,31 @@ namespace {
 // Formulas need not be polynomials: two points more than the basis needs.
 constexpr int additionalPoints = 2;
 
-Vector2d evaluate(const std::array<Formula, 2>& formulas, const geometry::Point& at, double time) {
-    return {formulas[0](at, time), formulas[1](at, time)};
+Vector3d evaluate(const std::vector<Formula>& formulas, const geometry::Point& at, double time) {
+    Vector3d vector = Vector3d::Zero();
+    for (std::size_t c = 0; c < formulas.size(); ++c) {
+        vector[c] = formulas[c](at, time);
+    }
+    return vector;
 }
 
-void spread(const LinePoint& point, const Vector2d& force, VectorXd& sum) {
+void spread(const LinePoint& point, const Eigen::Ref<const VectorXd>& force, VectorXd& sum) {
     for (int a = 0; a < point.N.cols(); ++a) {
-        sum.segment<2>(2 * (point.first + a)) += point.N(0, a) * force;
+        sum.segment(point.dimension * (point.first + a), point.dimension) += point.N(0, a) * force;
     }
 }
 
 } // namespace
 
-LineForce::LineForce(const geometry::NurbsCurve& curve, const LineSection& section, LineLoads loads)
-    : section_(section), loads_(std::move(loads)),
-      points_(linePoints(curve, curve.degree() + additionalPoints)),
-      nUnknowns_(2 * curve.nControlPoints()),
+LineForce::LineForce(const geometry::NurbsCurve& curve, const LineSection& section, LineLoads loads,
+                     int dimension)
+    : section_(section), loads_(std::move(loads)), dimension_(dimension),
+      points_(linePoints(curve, curve.degree() + additionalPoints, dimension)),
+      nUnknowns_(dimension * curve.nControlPoints()),
       hasFollowers_(!loads_.pressures.empty() ||
                     std::any_of(loads_.ends.begin(), loads_.ends.end(),
                                 [](const EndLoad& load) { return load.moment.has_value(); })) {
+    assert(dimension == 2 || !hasFollowers_);
     for (int k = 0; k < 2; ++k) {
         const double xi = k == 0 ? curve.knotVector().first() : curve.knotVector().last();
         geometry::CurveBasis basis = curve.basis(xi, 1);
@@ -43,19 +53,20 @@ LineForce::LineForce(const geometry::NurbsCurve& curve, const LineSection& secti
 VectorXd LineForce::dead(double time) const {
     VectorXd force = VectorXd::Zero(nUnknowns_);
     for (const LinePoint& point : points_) {
-        Vector2d density = Vector2d::Zero(); // per length
+        Vector3d density = Vector3d::Zero(); // per length
         for (const auto& traction : loads_.tractions) {
             density += section_.width * evaluate(traction, point.at, time);
         }
         for (const auto& gravity : loads_.gravities) {
             density += section_.mass * evaluate(gravity, point.at, time);
         }
-        spread(point, point.length * density, force);
+        spread(point, point.length * density.head(dimension_), force);
     }
     for (const EndLoad& load : loads_.ends) {
         if (load.force) {
-            const int controlPoint = load.end == LineEnd::start ? 0 : nUnknowns_ / 2 - 1;
-            force.segment<2>(2 * controlPoint) += evaluate(*load.force, end(load.end).at, time);
+            const int first = load.end == LineEnd::start ? 0 : nUnknowns_ - dimension_;
+            force.segment(first, dimension_) +=
+                evaluate(*load.force, end(load.end).at, time).head(dimension_);
         }
     }
     return force;
@@ -101,7 +112,8 @@ VectorXd LineForce::followers(double time, const VectorXd& displacement) const {
     }
     for (const LinePoint& point : points_) {
         const double parameters = point.length / point.position.first.norm();
-        const Vector2d tangent = point.position.first + point.derivatives(displacement).first;
+        const Vector2d tangent =
+            (point.position.first + point.derivatives(displacement).first).head<2>();
         spread(point, -section_.width * pressureAt(point, time) * parameters * turned(tangent),
                force);
     }

@@ -7,10 +7,12 @@
 namespace tokay::structure {
 
 /// Forces on the control points of a line that are equivalent to its loads
-/// (same virtual work), x and y of each.
+/// (same virtual work), x, y and in space z of each.
 class LineForce {
   public:
-    LineForce(const geometry::NurbsCurve& curve, const LineSection& section, LineLoads loads);
+    /// @param dimension  2, or 3: without pressures and moments
+    LineForce(const geometry::NurbsCurve& curve, const LineSection& section, LineLoads loads,
+              int dimension);
 
     /// Of the loads that keep their direction [N].
     Eigen::VectorXd dead(double time) const;
@@ -46,6 +48,7 @@ class LineForce {
 
     LineSection section_;
     LineLoads loads_;
+    int dimension_;
     std::vector<LinePoint> points_;
     End ends_[2];
     int nUnknowns_;

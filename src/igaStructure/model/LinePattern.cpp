@@ -2,14 +2,16 @@
 
 namespace tokay::structure {
 
-LinePattern::LinePattern(int nControlPoints, int degree, std::vector<int> firstFunctions)
-    : firstFunctions_(std::move(firstFunctions)), zero_(2 * nControlPoints, 2 * nControlPoints) {
-    const int n = 2 * (degree + 1);
+LinePattern::LinePattern(int dimension, int nControlPoints, int degree,
+                         std::vector<int> firstFunctions)
+    : dimension_(dimension), firstFunctions_(std::move(firstFunctions)),
+      zero_(dimension * nControlPoints, dimension * nControlPoints) {
+    const int n = dimension * (degree + 1);
     std::vector<Eigen::Triplet<double>> entries;
     for (int first : firstFunctions_) {
         for (int j = 0; j < n; ++j) {
             for (int i = 0; i < n; ++i) {
-                entries.emplace_back(2 * first + i, 2 * first + j, 0.0);
+                entries.emplace_back(dimension * first + i, dimension * first + j, 0.0);
             }
         }
     }
@@ -17,7 +19,7 @@ LinePattern::LinePattern(int nControlPoints, int degree, std::vector<int> firstF
 }
 
 void LinePattern::add(int element, const Eigen::MatrixXd& matrix, SparseMatrix& sum) const {
-    const int first = 2 * firstFunctions_[element];
+    const int first = dimension_ * firstFunctions_[element];
     for (int j = 0; j < matrix.cols(); ++j) {
         // The element's rows follow each other in the column.
         const int start = sum.outerIndexPtr()[first + j];

@@ -9,20 +9,22 @@ namespace tokay::structure {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
-/// Sparsity of a line with two unknowns a control point: the functions of each
-/// element are degree + 1 that follow each other.
+/// Sparsity of a line: the functions of each element are degree + 1 that follow
+/// each other.
 class LinePattern {
   public:
+    /// @param dimension       unknowns a control point
     /// @param firstFunctions  of each element
-    LinePattern(int nControlPoints, int degree, std::vector<int> firstFunctions);
+    LinePattern(int dimension, int nControlPoints, int degree, std::vector<int> firstFunctions);
 
     /// The matrix with all its entries, which are zero.
     SparseMatrix zeroMatrix() const { return zero_; }
 
-    /// Adds an element matrix of 2 (degree + 1) unknowns.
+    /// Adds an element matrix of dimension (degree + 1) unknowns.
     void add(int element, const Eigen::MatrixXd& matrix, SparseMatrix& sum) const;
 
   private:
+    int dimension_;
     std::vector<int> firstFunctions_;
     SparseMatrix zero_;
 };

@@ -8,23 +8,19 @@
 namespace tokay::structure {
 
 LineDerivatives LinePoint::derivatives(const Eigen::VectorXd& field) const {
-    LineDerivatives sum{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
+    LineDerivatives sum{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
     for (int a = 0; a < N.cols(); ++a) {
-        sum.first += N(1, a) * field.segment<2>(2 * (first + a));
-        sum.second += N(2, a) * field.segment<2>(2 * (first + a));
+        for (int c = 0; c < dimension; ++c) {
+            const double value = field[dimension * (first + a) + c];
+            sum.first[c] += N(1, a) * value;
+            sum.second[c] += N(2, a) * value;
+        }
     }
     return sum;
 }
 
-Eigen::Vector2d LinePoint::value(const Eigen::VectorXd& field) const {
-    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-    for (int a = 0; a < N.cols(); ++a) {
-        sum += N(0, a) * field.segment<2>(2 * (first + a));
-    }
-    return sum;
-}
-
-std::vector<LinePoint> linePoints(const geometry::NurbsCurve& curve, int nPointsPerElement) {
+std::vector<LinePoint> linePoints(const geometry::NurbsCurve& curve, int nPointsPerElement,
+                                  int dimension) {
     const std::vector<double>& breakpoints = curve.knotVector().breakpoints();
     const geometry::QuadratureRule& rule = geometry::gaussLegendre(nPointsPerElement);
     std::vector<LinePoint> points;
@@ -40,10 +36,11 @@ std::vector<LinePoint> linePoints(const geometry::NurbsCurve& curve, int nPoints
                                              "control points coincide there",
                                              derivatives(0, 0), derivatives(0, 1)));
             }
-            points.push_back({static_cast<int>(element),
+            points.push_back({dimension,
+                              static_cast<int>(element),
                               basis.first,
                               std::move(basis.N),
-                              {derivatives.row(1).head<2>(), derivatives.row(2).head<2>()},
+                              {derivatives.row(1), derivatives.row(2)},
                               derivatives.row(0),
                               length});
         }

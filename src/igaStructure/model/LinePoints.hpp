@@ -7,8 +7,9 @@
 
 namespace tokay::structure {
 
-/// A quadrature point of a line in the plane, with the functions there.
+/// A quadrature point of a line, with the functions there.
 struct LinePoint {
+    int dimension; ///< components a control point of fields: 2, in the plane, or 3
     int element;
     int first;                ///< control point of the first function
     Eigen::MatrixXd N;        ///< rows: functions, first and second derivatives by xi
@@ -16,15 +17,13 @@ struct LinePoint {
     geometry::Point at;
     double length; ///< quadrature weight times line element [m]
 
-    /// Derivatives of a field of two components a control point.
+    /// Derivatives of a field.
     LineDerivatives derivatives(const Eigen::VectorXd& field) const;
-
-    /// Sum of the functions' values times the field.
-    Eigen::Vector2d value(const Eigen::VectorXd& field) const;
 };
 
 /// Gauss points of all elements of a curve, element after element.
 /// @throws InputError if the curve has no tangent at one of them
-std::vector<LinePoint> linePoints(const geometry::NurbsCurve& curve, int nPointsPerElement);
+std::vector<LinePoint> linePoints(const geometry::NurbsCurve& curve, int nPointsPerElement,
+                                  int dimension);
 
 } // namespace tokay::structure

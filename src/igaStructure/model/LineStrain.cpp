@@ -1,105 +1,113 @@
 #include "igaStructure/model/LineStrain.hpp"
 
+#include <Eigen/Geometry>
+
+#include <cmath>
+
 namespace tokay::structure {
 
 namespace {
 
-using Eigen::Matrix2d;
-using Eigen::Matrix4d;
-using Eigen::Vector2d;
-using Eigen::Vector4d;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Matrix36d = Eigen::Matrix<double, 3, 6>;
 
-// Change of the tangent's angle by the parameter, (a x c) / (a . a).
-double turning(const LineDerivatives& x) {
-    return cross(x.first, x.second) / x.first.squaredNorm();
+// The matrix of v -> a x v.
+Matrix3d crossMatrix(const Vector3d& a) {
+    Matrix3d matrix;
+    matrix << 0, -a[2], a[1], a[2], 0, -a[0], -a[1], a[0], 0;
+    return matrix;
 }
 
-Vector4d turningGradient(const LineDerivatives& x) {
+// Rotation of the tangent by the parameter, (a x c) / (a . a).
+Vector3d turning(const LineDerivatives& x) {
+    return x.first.cross(x.second) / x.first.squaredNorm();
+}
+
+Matrix36d turningGradient(const LineDerivatives& x) {
     const double square = x.first.squaredNorm();
-    Vector4d gradient;
-    gradient << -turned(x.second) / square - 2 * turning(x) / square * x.first,
-        turned(x.first) / square;
+    Matrix36d gradient;
+    gradient << -crossMatrix(x.second) / square - 2 / square * turning(x) * x.first.transpose(),
+        crossMatrix(x.first) / square;
     return gradient;
 }
 
-Matrix4d turningHessian(const LineDerivatives& x) {
-    const Vector2d& a = x.first;
+// Second derivative of moment . turning.
+LineStrain::Matrix6d turningHessian(const LineDerivatives& x, const Vector3d& moment) {
+    const Vector3d& a = x.first;
     const double square = a.squaredNorm();
-    const Vector2d byFirst = -turned(x.second); // gradient of a x c by a
-    Matrix2d mixed;                             // of a x c
-    mixed << 0, 1, -1, 0;
-    Matrix4d hessian = Matrix4d::Zero();
-    hessian.topLeftCorner<2, 2>() =
+    const Vector3d byFirst = x.second.cross(moment); // gradient of moment . (a x c) by a
+    LineStrain::Matrix6d hessian = LineStrain::Matrix6d::Zero();
+    hessian.topLeftCorner<3, 3>() =
         -2 * (byFirst * a.transpose() + a * byFirst.transpose()) / (square * square) +
-        turning(x) / square * (8 / square * a * a.transpose() - 2 * Matrix2d::Identity());
-    hessian.topRightCorner<2, 2>() =
-        mixed / square - 2 / (square * square) * a * turned(a).transpose();
-    hessian.bottomLeftCorner<2, 2>() = hessian.topRightCorner<2, 2>().transpose();
+        moment.dot(turning(x)) / square *
+            (8 / square * a * a.transpose() - 2 * Matrix3d::Identity());
+    hessian.topRightCorner<3, 3>() =
+        -crossMatrix(moment) / square - 2 / (square * square) * a * moment.cross(a).transpose();
+    hessian.bottomLeftCorner<3, 3>() = hessian.topRightCorner<3, 3>().transpose();
     return hessian;
 }
 
 // Derivative of turning() by the parameter.
-double turningSlope(const LineDerivatives& x, const Vector2d& third) {
+Vector3d turningSlope(const LineDerivatives& x, const Vector3d& third) {
     const double square = x.first.squaredNorm();
-    return (cross(x.first, third) - 2 * turning(x) * x.first.dot(x.second)) / square;
+    return (x.first.cross(third) - 2 * x.first.dot(x.second) * turning(x)) / square;
 }
 
 // Variation of turningSlope() along a displacement.
-double turningSlopeVariation(const LineDerivatives& x, const Vector2d& third,
-                             const LineDerivatives& u, const Vector2d& uThird) {
+Vector3d turningSlopeVariation(const LineDerivatives& x, const Vector3d& third,
+                               const LineDerivatives& u, const Vector3d& uThird) {
     const double square = x.first.squaredNorm();
-    Vector4d motion;
+    Eigen::Matrix<double, 6, 1> motion;
     motion << u.first, u.second;
-    const double turningVariation = turningGradient(x).dot(motion);
-    const double numerator = cross(u.first, third) + cross(x.first, uThird) -
-                             2 * turningVariation * x.first.dot(x.second) -
-                             2 * turning(x) * (u.first.dot(x.second) + x.first.dot(u.second));
-    return (numerator - turningSlope(x, third) * 2 * x.first.dot(u.first)) / square;
+    const Vector3d turningVariation = turningGradient(x) * motion;
+    const Vector3d numerator = u.first.cross(third) + x.first.cross(uThird) -
+                               2 * x.first.dot(x.second) * turningVariation -
+                               2 * (u.first.dot(x.second) + x.first.dot(u.second)) * turning(x);
+    return (numerator - 2 * x.first.dot(u.first) * turningSlope(x, third)) / square;
+}
+
+LineDerivatives sum(const LineDerivatives& a, const LineDerivatives& b) {
+    return {a.first + b.first, a.second + b.second};
 }
 
 } // namespace
 
 LineStrain::LineStrain(const LineDerivatives& reference, const LineDerivatives& displacement,
                        Strains strains)
-    : axialHessian(Matrix4d::Zero()), curvatureHessian(Matrix4d::Zero()) {
-    const double square = reference.first.squaredNorm();
-    const double length = std::sqrt(square);
-    axialGradient.setZero();
-    axialHessian.topLeftCorner<2, 2>() = Matrix2d::Identity() / square;
-    if (strains == Strains::linear) {
-        Vector4d u;
+    : axialHessian(1 / reference.first.squaredNorm()), x_(sum(reference, displacement)),
+      length_(reference.first.norm()), isLinear_(strains == Strains::linear) {
+    if (isLinear_) {
+        Eigen::Matrix<double, 6, 1> u;
         u << displacement.first, displacement.second;
-        axialGradient.head<2>() = reference.first / square;
-        curvatureGradient = turningGradient(reference) / length;
-        axial = axialGradient.dot(u);
-        curvature = curvatureGradient.dot(u);
+        axialGradient = axialHessian * reference.first;
+        curvatureGradient = turningGradient(reference) / length_;
+        axial = axialGradient.dot(displacement.first);
+        curvature = curvatureGradient * u;
         return;
     }
-    const LineDerivatives x{reference.first + displacement.first,
-                            reference.second + displacement.second};
-    axialGradient.head<2>() = x.first / square;
+    axialGradient = axialHessian * x_.first;
     // Not a difference of squares: that loses the digits of small strains.
-    axial = displacement.first.dot(reference.first + 0.5 * displacement.first) / square;
-    curvature = (turning(x) - turning(reference)) / length;
-    curvatureGradient = turningGradient(x) / length;
-    curvatureHessian = turningHessian(x) / length;
+    axial = axialHessian * displacement.first.dot(reference.first + 0.5 * displacement.first);
+    curvature = (turning(x_) - turning(reference)) / length_;
+    curvatureGradient = turningGradient(x_) / length_;
 }
 
-double curvatureSlope(const LineDerivatives& reference, const Vector2d& referenceThird,
-                      const LineDerivatives& displacement, const Vector2d& displacementThird,
-                      Strains strains) {
+LineStrain::Matrix6d LineStrain::curvatureHessian(const Vector3d& moment) const {
+    return isLinear_ ? Matrix6d(Matrix6d::Zero()) : turningHessian(x_, moment / length_);
+}
+
+Vector3d curvatureSlope(const LineDerivatives& reference, const Vector3d& referenceThird,
+                        const LineDerivatives& displacement, const Vector3d& displacementThird,
+                        Strains strains) {
     const double square = reference.first.squaredNorm();
     const LineStrain strain(reference, displacement, strains);
-    double slope; // of the turning
-    if (strains == Strains::linear) {
-        slope = turningSlopeVariation(reference, referenceThird, displacement, displacementThird);
-    } else {
-        const LineDerivatives x{reference.first + displacement.first,
-                                reference.second + displacement.second};
-        slope = turningSlope(x, referenceThird + displacementThird) -
-                turningSlope(reference, referenceThird);
-    }
-    return (slope - strain.curvature * reference.first.dot(reference.second) / std::sqrt(square)) /
+    const Vector3d slope = // of the turning
+        strains == Strains::linear
+            ? turningSlopeVariation(reference, referenceThird, displacement, displacementThird)
+            : turningSlope(sum(reference, displacement), referenceThird + displacementThird) -
+                  turningSlope(reference, referenceThird);
+    return (slope - reference.first.dot(reference.second) / std::sqrt(square) * strain.curvature) /
            square;
 }
 

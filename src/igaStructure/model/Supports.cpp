@@ -53,22 +53,23 @@ int rank(const Eigen::MatrixXd& matrix) {
 
 std::vector<std::string> freeRigidMotions(const geometry::NurbsSurface& surface,
                                           const std::vector<bool>& fixed) {
-    return freeRigidMotions(rigidMotionsAt(surface, fixed));
+    return freeRigidMotions(rigidMotionsAt(surface, fixed), 3);
 }
 
-std::vector<std::string> freeRigidMotions(const Eigen::MatrixX3d& motions) {
-    if (rank(motions) == 3) {
+std::vector<std::string> freeRigidMotions(const Eigen::MatrixXd& motions, int nMotions) {
+    const int nFree = nMotions - rank(motions);
+    if (nFree == 0) {
         return {};
     }
     // A translation is free if no unknown along it is fixed.
+    const int dimension = motions.cols() == 3 ? 2 : 3;
     std::vector<std::string> names;
-    if (motions.col(0).isZero(0)) {
-        names.push_back("translation along x");
+    for (int c = 0; c < dimension; ++c) {
+        if (motions.col(c).isZero(0)) {
+            names.push_back(std::string("translation along ") + "xyz"[c]);
+        }
     }
-    if (motions.col(1).isZero(0)) {
-        names.push_back("translation along y");
-    }
-    if (static_cast<int>(names.size()) < 3 - rank(motions)) {
+    if (static_cast<int>(names.size()) < nFree) {
         names.push_back("rotation");
     }
     return names;

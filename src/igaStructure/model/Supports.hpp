@@ -25,8 +25,10 @@ std::vector<bool> fixedUnknowns(const geometry::NurbsSurface& surface,
 std::vector<std::string> freeRigidMotions(const geometry::NurbsSurface& surface,
                                           const std::vector<bool>& fixed);
 
-/// The same from the rigid motions (columns: along x, along y, rotation) at
-/// what is held, one row each, lengths relative to the body's size.
-std::vector<std::string> freeRigidMotions(const Eigen::MatrixX3d& heldMotions);
+/// The same from the rigid motions at what is held, one row each, lengths relative
+/// to the body's size. Columns: along x and y and rotation of a plane body; along
+/// x, y and z and rotation about each of a body in space.
+/// @param nMotions  that are to be held: a straight line's turning about itself is none
+std::vector<std::string> freeRigidMotions(const Eigen::MatrixXd& heldMotions, int nMotions);
 
 } // namespace tokay::structure

@@ -6,6 +6,7 @@ namespace tokay::structure {
 
 namespace {
 
+constexpr std::uint8_t vtkLine = 3;
 constexpr std::uint8_t vtkBezierCurve = 75;
 
 } // namespace
@@ -24,6 +25,24 @@ VtuMesh stripMesh(const geometry::NurbsCurve& curve, int subdivision, double thi
             const std::int64_t right = first + 2 * i;
             mesh.connectivity.insert(mesh.connectivity.end(),
                                      {right, right + 2, right + 3, right + 1});
+        }
+    }
+    return mesh;
+}
+
+VtuMesh segmentMesh(const geometry::NurbsCurve& curve, int subdivision) {
+    const std::vector<double>& xi = curve.knotVector().breakpoints();
+    VtuMesh mesh;
+    mesh.cellType = vtkLine;
+    mesh.cellSize = 2;
+    for (std::size_t span = 0; span + 1 < xi.size(); ++span) {
+        const auto first = static_cast<std::int64_t>(mesh.points.size());
+        for (int i = 0; i <= subdivision; ++i) {
+            mesh.points.push_back(
+                {0, xi[span] + (xi[span + 1] - xi[span]) * i / subdivision, 0, 0});
+        }
+        for (int i = 0; i < subdivision; ++i) {
+            mesh.connectivity.insert(mesh.connectivity.end(), {first + i, first + i + 1});
         }
     }
     return mesh;

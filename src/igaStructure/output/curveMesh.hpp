@@ -9,6 +9,9 @@ namespace tokay::structure {
 /// subdivision quadrilaterals, which reach from side to side.
 VtuMesh stripMesh(const geometry::NurbsCurve& curve, int subdivision, double thickness);
 
+/// Straight pieces of a curve in space, subdivision an element.
+VtuMesh segmentMesh(const geometry::NurbsCurve& curve, int subdivision);
+
 /// A VTK_BEZIER_CURVE for each element, exact as bezierMesh of a surface.
 VtuMesh bezierMesh(const geometry::NurbsCurve& curve);
 

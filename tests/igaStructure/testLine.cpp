@@ -43,7 +43,7 @@ std::vector<ExampleLine> kinds() {
 }
 
 // Control displacements X -> R X - X + shift.
-VectorXd rigidMotion(const PlaneLine& line, double angle) {
+VectorXd rigidMotion(const Line& line, double angle) {
     const Eigen::Matrix2d R = Eigen::Rotation2Dd(angle).toRotationMatrix();
     VectorXd displacement(line.nUnknowns());
     for (int k = 0; k < line.curve().nControlPoints(); ++k) {
@@ -65,7 +65,7 @@ MatrixXd differences(const VectorXd& d, double h, Force force) {
 }
 
 // Angular frequencies, ascending.
-VectorXd frequencies(const PlaneLine& line) {
+VectorXd frequencies(const Line& line) {
     SparseMatrix tangent;
     line.internalForce(VectorXd::Zero(line.nUnknowns()), tangent);
     std::vector<int> free;
@@ -83,10 +83,10 @@ VectorXd frequencies(const PlaneLine& line) {
 
 } // namespace
 
-TEST(PlaneLine, mass_of_a_uniform_motion_is_the_mass_of_the_body) {
+TEST(Line, mass_of_a_uniform_motion_is_the_mass_of_the_body) {
     for (ExampleLine kind : kinds()) {
         kind.supports = {};
-        const PlaneLine line = kind.build();
+        const Line line = kind.build();
         const SparseMatrix mass = line.massMatrix();
         const double exact = 10 * (kind.arc ? 0.5 * M_PI * 10 : 10);
         for (int c = 0; c < 2; ++c) {
@@ -100,12 +100,12 @@ TEST(PlaneLine, mass_of_a_uniform_motion_is_the_mass_of_the_body) {
     }
 }
 
-TEST(PlaneLine, rigid_motion_gives_no_force_at_any_angle) {
+TEST(Line, rigid_motion_gives_no_force_at_any_angle) {
     for (bool arc : {false, true}) {
         ExampleLine kind;
         kind.arc = arc;
         kind.supports = {};
-        const PlaneLine line = kind.build();
+        const Line line = kind.build();
         for (double angle : {0.1, 1.0, 0.5 * M_PI, 3.0, M_PI, 5.0, 7.0, 100.0}) {
             const VectorXd d = rigidMotion(line, angle);
             // Rounding of displacements of 20 m in strains of elements of 1 m.
@@ -115,12 +115,12 @@ TEST(PlaneLine, rigid_motion_gives_no_force_at_any_angle) {
     }
 }
 
-TEST(PlaneLine, small_rigid_rotation_gives_no_force_if_strains_are_linear) {
+TEST(Line, small_rigid_rotation_gives_no_force_if_strains_are_linear) {
     ExampleLine kind;
     kind.strains = Strains::linear;
     kind.arc = true;
     kind.supports = {};
-    const PlaneLine line = kind.build();
+    const Line line = kind.build();
     VectorXd d(line.nUnknowns());
     for (int k = 0; k < line.curve().nControlPoints(); ++k) {
         d.segment<2>(2 * k) = turned(line.curve().controlPoints().row(k).head<2>().transpose());
@@ -128,10 +128,10 @@ TEST(PlaneLine, small_rigid_rotation_gives_no_force_if_strains_are_linear) {
     EXPECT_LT(line.internalForce(d).force.norm(), 1e-12 * kind.section().axialStiffness * 10);
 }
 
-TEST(PlaneLine, tangent_equals_finite_differences) {
+TEST(Line, tangent_equals_finite_differences) {
     for (ExampleLine kind : kinds()) {
         kind.supports.push_back({LineEnd::end, false, false, true});
-        const PlaneLine line = kind.build();
+        const Line line = kind.build();
         const VectorXd d = randomVector(line.nUnknowns(), 0.3);
         SparseMatrix tangent;
         const VectorXd force = line.internalForce(d, tangent).force;
@@ -143,9 +143,9 @@ TEST(PlaneLine, tangent_equals_finite_differences) {
     }
 }
 
-TEST(PlaneLine, internal_force_is_the_derivative_of_strain_energy) {
+TEST(Line, internal_force_is_the_derivative_of_strain_energy) {
     for (const ExampleLine& kind : kinds()) {
-        const PlaneLine line = kind.build();
+        const Line line = kind.build();
         const VectorXd d = randomVector(line.nUnknowns(), 0.3);
         const VectorXd direction = randomVector(line.nUnknowns(), 1);
         const double h = 1e-5;
@@ -156,13 +156,13 @@ TEST(PlaneLine, internal_force_is_the_derivative_of_strain_energy) {
     }
 }
 
-TEST(PlaneLine, tangent_of_followers_equals_finite_differences_between_held_ends) {
+TEST(Line, tangent_of_followers_equals_finite_differences_between_held_ends) {
     ExampleLine kind;
     kind.arc = true;
     kind.loads.ends.push_back(endMoment("30"));
     kind.loads.pressures.emplace_back("7", "");
     kind.supports.push_back({LineEnd::end, true, true, false});
-    const PlaneLine line = kind.build();
+    const Line line = kind.build();
     VectorXd d = randomVector(line.nUnknowns(), 0.3);
     for (int k = 0; k < line.nUnknowns(); ++k) {
         if (line.fixed()[k]) {
@@ -190,12 +190,12 @@ TEST(PlaneLine, tangent_of_followers_equals_finite_differences_between_held_ends
     EXPECT_LT((exact - numeric).norm(), 1e-7 * numeric.norm());
 }
 
-TEST(PlaneLine, end_moment_rolls_a_cantilever_up_to_a_full_circle) {
+TEST(Line, end_moment_rolls_a_cantilever_up_to_a_full_circle) {
     ExampleLine kind;
     kind.length = 12;
     kind.elements = 16;
     kind.loads.ends.push_back(endMoment("t*50*pi/3")); // 2 pi E I / L
-    PlaneLine line = kind.build();
+    Line line = kind.build();
     const std::vector<VectorXd> steps = loadSteps(line, 20);
     for (int step = 1; step <= 20; ++step) {
         const double kL = 2 * M_PI * step / 20;
@@ -207,19 +207,19 @@ TEST(PlaneLine, end_moment_rolls_a_cantilever_up_to_a_full_circle) {
     EXPECT_NEAR(state.bendingMoment, 50 * M_PI / 3, 1e-4 * 50);
 }
 
-TEST(PlaneLine, end_moment_rolls_a_cantilever_up_twice) {
+TEST(Line, end_moment_rolls_a_cantilever_up_twice) {
     ExampleLine kind;
     kind.elements = 32;
     kind.loads.ends.push_back(endMoment("t*40*pi")); // two full circles
-    PlaneLine line = kind.build();
+    Line line = kind.build();
     const Vector2d end = endDisplacement(line, loadSteps(line, 40).back());
     EXPECT_LT((end - Vector2d(-10, 0)).norm(), 1e-5 * 10);
 }
 
-TEST(PlaneLine, cantilever_under_end_shear_bends_as_published) {
+TEST(Line, cantilever_under_end_shear_bends_as_published) {
     ExampleLine kind;
     kind.loads.ends.push_back(endForce("0", "4*t"));
-    PlaneLine line = kind.build();
+    Line line = kind.build();
     const std::vector<VectorXd> steps = loadSteps(line, 20);
     // Sze, Liu & Lo 2004: load share, -u, w.
     const double published[][3] = {
@@ -231,7 +231,7 @@ TEST(PlaneLine, cantilever_under_end_shear_bends_as_published) {
     }
 }
 
-TEST(PlaneLine, resultants_balance_the_force_at_the_end_of_an_arc) {
+TEST(Line, resultants_balance_the_force_at_the_end_of_an_arc) {
     for (Strains strains : {Strains::linear, Strains::nonlinear}) {
         ExampleLine kind;
         kind.strains = strains;
@@ -239,7 +239,7 @@ TEST(PlaneLine, resultants_balance_the_force_at_the_end_of_an_arc) {
         kind.degree = 5;
         kind.elements = 64;
         kind.loads.ends.push_back(endForce("0.5*t", "0.8*t"));
-        PlaneLine line = kind.build();
+        Line line = kind.build();
         const VectorXd d = loadSteps(line, 5).back();
         const Vector2d force(0.5, 0.8);
         for (double xi : {0.21, 0.5, 0.83}) {
@@ -254,7 +254,7 @@ TEST(PlaneLine, resultants_balance_the_force_at_the_end_of_an_arc) {
     }
 }
 
-TEST(PlaneLine, frequencies_of_a_cantilever_converge_with_order_2_p_minus_2) {
+TEST(Line, frequencies_of_a_cantilever_converge_with_order_2_p_minus_2) {
     for (int degree : {2, 3, 4}) {
         double errors[2];
         for (int k = 0; k < 2; ++k) {
@@ -271,7 +271,7 @@ TEST(PlaneLine, frequencies_of_a_cantilever_converge_with_order_2_p_minus_2) {
     }
 }
 
-TEST(PlaneLine, rotary_inertia_lowers_a_frequency_as_Rayleighs_beam) {
+TEST(Line, rotary_inertia_lowers_a_frequency_as_Rayleighs_beam) {
     ExampleLine kind;
     kind.strains = Strains::linear;
     kind.elements = 16;
@@ -284,12 +284,12 @@ TEST(PlaneLine, rotary_inertia_lowers_a_frequency_as_Rayleighs_beam) {
     EXPECT_NEAR(frequencies(kind.build())[2], exact, 1e-6 * exact); // degree 4, 16 elements
 }
 
-TEST(PlaneLine, trapezoidal_rule_keeps_the_energy_of_a_linear_beam) {
+TEST(Line, trapezoidal_rule_keeps_the_energy_of_a_linear_beam) {
     ExampleLine kind;
     kind.strains = Strains::linear;
     kind.arc = true;
     kind.loads.ends.push_back(endForce("0", "0.3"));
-    PlaneLine line = kind.build();
+    Line line = kind.build();
     TimeIntegrator integrator(line, TimeScheme::newmark(0.25, 0.5), {}, 0);
     for (int step = 1; step <= 50; ++step) {
         integrator.beginTimeStep(step * 0.5, 0.5);
@@ -302,27 +302,27 @@ TEST(PlaneLine, trapezoidal_rule_keeps_the_energy_of_a_linear_beam) {
     }
 }
 
-TEST(PlaneLine, held_rotation_is_exact_however_far_the_end_moves) {
+TEST(Line, held_rotation_is_exact_however_far_the_end_moves) {
     ExampleLine kind;
     kind.arc = true;
     // A slider: keeps its direction, moves freely.
     kind.supports.push_back({LineEnd::end, false, false, true});
     kind.loads.ends.push_back(endForce("-3*t", "-3*t"));
-    PlaneLine line = kind.build();
+    Line line = kind.build();
     const VectorXd d = loadSteps(line, 10).back();
     EXPECT_GT(endDisplacement(line, d).norm(), 1);
     EXPECT_NEAR(cross(tangentAt(line, 1, d), {-1, 0}), 0, 1e-12);
     EXPECT_NEAR(cross(tangentAt(line, 0, d), {0, 1}), 0, 1e-12);
 }
 
-TEST(PlaneLine, pressure_on_a_ring_gives_Barlows_hoop_force) {
+TEST(Line, pressure_on_a_ring_gives_Barlows_hoop_force) {
     // A quarter of a ring with sliders on both ends under inner pressure: the
     // inside is left of the axis.
     ExampleLine kind;
     kind.arc = true;
     kind.supports = {{LineEnd::start, false, true, true}, {LineEnd::end, true, false, true}};
     kind.loads.pressures.emplace_back("100*t", "");
-    PlaneLine line = kind.build();
+    Line line = kind.build();
     const VectorXd d = loadSteps(line, 1).back();
     const double radius = 10 + endDisplacement(line, d)[1];
     // The axial force is conjugate to Green-Lagrange strain: N = p r / stretch.
@@ -331,7 +331,7 @@ TEST(PlaneLine, pressure_on_a_ring_gives_Barlows_hoop_force) {
     EXPECT_NEAR(endDisplacement(line, d)[1], 0.0833, 0.02 * 0.0833); // p r^2 / E A, small strain
 }
 
-TEST(PlaneLine, free_rigid_motions_are_named) {
+TEST(Line, free_rigid_motions_are_named) {
     ExampleLine kind;
     EXPECT_TRUE(kind.build().freeRigidMotions().empty());
     kind.supports = {{LineEnd::start, true, true, false}};
@@ -342,12 +342,12 @@ TEST(PlaneLine, free_rigid_motions_are_named) {
     EXPECT_TRUE(kind.build().freeRigidMotions().empty());
 }
 
-TEST(PlaneLine, basis_that_would_be_a_hinge_is_refused) {
+TEST(Line, basis_that_would_be_a_hinge_is_refused) {
     ExampleLine kind;
     const geometry::NurbsCurve half =
         geometry::refine(geometry::arc({0, 0, 0}, 1, 0, M_PI), 3, 2); // two pieces, C0
     try {
-        PlaneLine(half, kind.section(), Strains::linear, {}, {});
+        Line(half, kind.section(), Strains::linear, {}, {});
         FAIL();
     } catch (const InputError& error) {
         EXPECT_THAT(error.what(), HasSubstr("the basis has a hinge at x = "));

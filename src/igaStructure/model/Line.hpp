@@ -9,25 +9,31 @@ namespace tokay::structure {
 
 /// State of a point of a beam's or cable's axis.
 struct LineState {
-    double normalForce;   ///< tension is positive [N]
-    double bendingMoment; ///< positive if it turns the tangent counter-clockwise [N m]
-    double shearForce;    ///< change of the moment along the axis, negative [N]
+    double normalForce; ///< tension is positive [N]
+    /// Positive if it turns the tangent counter-clockwise; in space the moment
+    /// vector's length [N m].
+    double bendingMoment;
+    /// Change of the moment along the axis, negative; in space its length [N].
+    double shearForce;
 };
 
-/// Isoparametric NURBS curve in the plane z = 0 that resists stretching and, if
-/// its section does, bending, without rotational unknowns: Euler-Bernoulli beam
-/// (Kirchhoff), or cable. Strains as in LineStrain; degree + 1 Gauss points an
-/// element. With linear strains the prestressed reference is taken to be in
-/// equilibrium, and the prestress resists turning only.
-class PlaneLine : public StructuralModel {
+/// Isoparametric NURBS curve, in the plane z = 0 or in space, that resists
+/// stretching and, if its section does, bending, without rotational unknowns:
+/// Euler-Bernoulli beam (Kirchhoff), or cable. A beam in space bends alike in all
+/// directions, has no torsional stiffness, and is straight in its reference
+/// configuration. Strains as in LineStrain; degree + 1 Gauss points an element. With linear strains
+/// the prestressed reference is taken to be in equilibrium, and the prestress resists turning only.
+class Line : public StructuralModel {
   public:
-    /// @throws InputError if the curve leaves z = 0, has no tangent somewhere, or
-    /// bends but is not smooth enough (degree 2, continuous tangent)
-    PlaneLine(geometry::NurbsCurve curve, const LineSection& section, Strains strains,
-              const std::vector<LineSupport>& supports, LineLoads loads);
+    /// @param dimension  2: in the plane z = 0; 3: in space, without pressures and moments
+    /// @throws InputError if a curve of the plane leaves z = 0, has no tangent somewhere,
+    /// or bends but is not smooth enough (degree 2, continuous tangent) or, in space,
+    /// not straight
+    Line(geometry::NurbsCurve curve, const LineSection& section, Strains strains,
+         const std::vector<LineSupport>& supports, LineLoads loads, int dimension = 2);
 
-    int nUnknowns() const override { return 2 * curve_.nControlPoints(); }
-    int nComponents() const override { return 2; }
+    int nUnknowns() const override { return dimension_ * curve_.nControlPoints(); }
+    int nComponents() const override { return dimension_; }
     bool isLinear() const override { return strains_ == Strains::linear; }
 
     /// With the rotary inertia of the reference configuration, if the section has it.
@@ -52,11 +58,13 @@ class PlaneLine : public StructuralModel {
     std::vector<std::string> freeRigidMotions() const override;
     double size() const override;
 
+    /// 2: in the plane z = 0; 3: in space.
+    int dimension() const { return dimension_; }
     const geometry::NurbsCurve& curve() const { return curve_; }
     const LineSection& section() const { return section_; }
 
-    /// Displacements of control points along x and y: the unknowns, but where a
-    /// rotation is held.
+    /// Displacements of control points along x, y and in space z: the unknowns,
+    /// but where a rotation is held.
     Eigen::VectorXd controlDisplacements(const Eigen::VectorXd& unknowns) const {
         return frames_.displacements(unknowns);
     }
@@ -71,13 +79,19 @@ class PlaneLine : public StructuralModel {
     LineState stateAt(double xi, const Eigen::VectorXd& displacement) const;
 
   private:
+    using Vector6d = Eigen::Matrix<double, 6, 1>;
+
     void requireUsable() const;
+    void requireSmooth() const;
     bool hasFollowers() const { return !isLinear() && force_.hasFollowers(); }
     double normalForce(const LineStrain& strain) const;
-    double bendingMoment(const LineStrain& strain) const;
-    Eigen::Vector4d conjugate(const LineStrain& strain, const LineDerivatives& displacement) const;
-    Eigen::Matrix4d stiffness(const LineStrain& strain) const;
+    Eigen::Vector3d bendingMoment(const LineStrain& strain) const;
+    Vector6d conjugate(const LineStrain& strain, const LineDerivatives& displacement) const;
+    LineStrain::Matrix6d stiffness(const LineStrain& strain) const;
+    Eigen::MatrixXd onElement(const LinePoint& point, const LineStrain::Matrix6d& stiffness) const;
+    Eigen::MatrixXd elementMass(const LinePoint& point) const;
 
+    int dimension_;
     geometry::NurbsCurve curve_;
     LineSection section_;
     Strains strains_;
