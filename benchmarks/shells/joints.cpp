@@ -1,6 +1,6 @@
 // Ways to join patches and to hold trimmed edges: orders of convergence against a known
 // solution, the roof in parts against the whole one, ratios of stiffness and density of
-// two patches over 12 decades, and thin plates.
+// two patches over 12 decades, thin plates, and what each costs.
 #include "common/errors.hpp"
 #include "exampleShell.hpp"
 #include "igaStructure/analysis/naturalModes.hpp"
@@ -8,10 +8,12 @@
 #include "trimmedDisc.hpp"
 
 #include <Eigen/LU>
+#include <Eigen/SparseCholesky>
 #include <fmt/format.h>
 
 #include <array>
 #include <cmath>
+#include <ctime>
 #include <fstream>
 #include <functional>
 
@@ -63,7 +65,6 @@ void addOrders(const std::string& directory, bool isQuick) {
                     addRow(table, fmt::format("{},{},{},{},", method.name, degree, nParts, n), [&] {
                         ShellDescription disc = discShell({}, degree, n, nParts);
                         disc.edgeMethod = method.method;
-                        disc.sliverTreatment = SliverTreatment::extension;
                         Shell shell(std::move(disc));
                         const DiscError error = discError(shell, solveStatic(shell));
                         const auto both = [](double now, double before) {
@@ -100,7 +101,6 @@ void addRoofs(const std::string& directory, bool isQuick) {
                     for (const int k : {1, 2}) {
                         scenes[k].description.edgeMethod = method.method;
                         scenes[k].description.penalty = factor;
-                        scenes[k].description.sliverTreatment = SliverTreatment::extension;
                         differences[k - 1] = 100 * (value(scenes[k]) / whole - 1);
                     }
                     return fmt::format("{:.5f},{:.5f}", differences[0], differences[1]);
@@ -241,11 +241,47 @@ void addThickness(const std::string& directory) {
                 disc.thickness = thickness;
                 ShellDescription description = discShell(disc, 3, 16, 2);
                 description.edgeMethod = method.method;
-                description.sliverTreatment = SliverTreatment::extension;
                 Shell shell(std::move(description));
                 const DiscError error = discError(shell, solveStatic(shell));
                 return fmt::format("{:.2e},{:.2e},{:.2e}", tipUnderMoment(joined) / 0.2 - 1,
                                    error.deflection, error.bending);
+            });
+        }
+    }
+}
+
+// Numbers in the triangle of the stiffness and of its factor, ordered by minimum degree.
+std::pair<Eigen::Index, Eigen::Index> fill(const Shell& shell) {
+    SparseMatrix tangent;
+    shell.internalForce(Eigen::VectorXd::Zero(shell.nUnknowns()), tangent);
+    Eigen::SparseMatrix<double> K = tangent;
+    K.prune([&](Eigen::Index row, Eigen::Index column, double value) {
+        const bool isFree = !shell.fixed()[row] && !shell.fixed()[column];
+        return row == column || (isFree && value != 0);
+    });
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(K);
+    return {(K.nonZeros() + K.rows()) / 2,
+            factor.matrixL().nestedExpression().nonZeros() + K.rows()};
+}
+
+void addCost(const std::string& directory) {
+    Table table(directory + "/edgeCost.csv",
+                "method,slivers,processor_seconds,stiffness_numbers,factor_numbers,disc_w");
+    for (const Method& method : methods) {
+        for (const bool extended : {false, true}) {
+            const char* slivers = extended ? "extension" : "scaling";
+            addRow(table, fmt::format("{},{},", method.name, slivers), [&] {
+                ShellDescription disc = discShell({}, 3, 24, 2);
+                disc.edgeMethod = method.method;
+                disc.sliverTreatment =
+                    extended ? SliverTreatment::extension : SliverTreatment::scaling;
+                const std::clock_t start = std::clock();
+                Shell shell(std::move(disc));
+                const Eigen::VectorXd d = solveStatic(shell);
+                const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+                const auto [stiffness, factor] = fill(shell);
+                return fmt::format("{:.2f},{},{},{:.2e}", seconds, stiffness, factor,
+                                   discError(shell, d).deflection);
             });
         }
     }
@@ -260,6 +296,7 @@ int main(int argc, char** argv) {
         addRoofs(argv[1], isQuick);
         addRatios(argv[1]);
         addThickness(argv[1]);
+        addCost(argv[1]);
         return 0;
     } catch (const tokay::InputError& error) {
         fmt::print(stderr, "{}\n", error.what());

@@ -1,6 +1,6 @@
-// A cantilevered plate whose free edge leaves but a fraction of the last elements:
-// condition of its stiffness, as it is and scaled by the diagonal, and the deflection
-// of the edge against that of whole elements.
+// A cantilevered plate whose free edge leaves but a fraction of the last elements, with
+// slivers left alone or tied to whole elements: condition of its stiffness, as it is and
+// scaled by the diagonal, and the deflection of the edge against that of whole elements.
 #include "common/errors.hpp"
 #include "geometry/primitives.hpp"
 #include "igaStructure/model/shell/Shell.hpp"
@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <functional>
 
 namespace {
 
@@ -27,7 +28,7 @@ struct Plate {
     double end; ///< parameter of the free edge
 };
 
-Plate plate(int degree, double fraction) {
+Plate plate(int degree, double fraction, SliverTreatment treatment) {
     const double end = (8 + fraction) / 10;
     const geometry::TrimmedPatch patch(geometry::rectangle({0, 0, 0}, 1 / end, 1),
                                        {geometry::TrimmingLoop::around({{0, 0}, {end, 1}})},
@@ -35,6 +36,7 @@ Plate plate(int degree, double fraction) {
     ShellDescription description{
         geometry::BrepModel({{patch.refined(degree, degree, 10, 2)}}), {0.01}, {1e6, 0.3, 1}};
     description.strains = Strains::linear;
+    description.sliverTreatment = treatment;
     description.edgeSupports = {{{{0, left}}, {true, true, true}, true}};
     description.loads.edgeForces = {{{0, right}, VectorField::constant({0, 0, -1e-6})}};
     return {std::move(description), end};
@@ -64,27 +66,36 @@ double deflection(Shell& shell, double end) {
     return shell.stateAt(0, end, 0.5, integrator.solve()).displacement[2];
 }
 
+using Write = std::function<void(const std::string&)>;
+
+void addRows(int degree, SliverTreatment treatment, const Write& write) {
+    const char* name = treatment == SliverTreatment::extension ? "extension" : "scaling";
+    double whole = 0;
+    for (int exponent = 0; exponent <= 12; exponent += 2) {
+        Plate at = plate(degree, std::pow(10.0, -exponent), treatment);
+        Shell shell(std::move(at.description));
+        const MatrixXd K = freeStiffness(shell);
+        const VectorXd scale = K.diagonal().cwiseSqrt().cwiseInverse();
+        const double end = deflection(shell, at.end);
+        whole = exponent == 0 ? end : whole;
+        write(fmt::format("{},{},1e-{},{:.2e},{:.2e},{:.8f}\n", name, degree, exponent,
+                          condition(K), condition(scale.asDiagonal() * K * scale.asDiagonal()),
+                          end / whole));
+    }
+}
+
 } // namespace
 
 int main(int, char** argv) {
     std::ofstream file(argv[1]);
-    const auto write = [&](const std::string& line) {
+    const Write write = [&](const std::string& line) {
         fmt::print("{}", line);
         file << line;
     };
-    write("degree,fraction,condition,condition_scaled,deflection_over_whole\n");
-    for (const int degree : {2, 3, 4}) {
-        double whole = 0;
-        for (int exponent = 0; exponent <= 12; exponent += 2) {
-            const double fraction = std::pow(10.0, -exponent);
-            Plate at = plate(degree, fraction);
-            Shell shell(std::move(at.description));
-            const MatrixXd K = freeStiffness(shell);
-            const VectorXd scale = K.diagonal().cwiseSqrt().cwiseInverse();
-            const double end = deflection(shell, at.end);
-            whole = exponent == 0 ? end : whole;
-            write(fmt::format("{},1e-{},{:.2e},{:.2e},{:.8f}\n", degree, exponent, condition(K),
-                              condition(scale.asDiagonal() * K * scale.asDiagonal()), end / whole));
+    write("treatment,degree,fraction,condition,condition_scaled,deflection_over_whole\n");
+    for (const SliverTreatment treatment : {SliverTreatment::scaling, SliverTreatment::extension}) {
+        for (const int degree : {2, 3, 4}) {
+            addRows(degree, treatment, write);
         }
     }
 }

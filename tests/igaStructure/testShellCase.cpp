@@ -134,6 +134,24 @@ TEST(ShellCase, shell_takes_whole_updates_if_the_case_does_not_say) {
     EXPECT_TRUE(readText(roofText("time:", "newton: {lineSearch: yes}\ntime:")).newton.lineSearch);
 }
 
+TEST(ShellCase, explicit_schemes_take_soft_springs_and_leave_slivers_alone) {
+    const TemporaryDirectory directory;
+    const auto shellOf = [&](const std::string& scheme, const std::string& more) {
+        std::string text = roofText("thickness: 0.25", "thickness: 0.25" + more);
+        text.replace(text.find("scheme: static"), 14, "scheme: " + scheme);
+        return readCase(directory.write("case.yaml", text)).structure;
+    };
+    const auto implicit = std::get<ShellDescription>(shellOf("static", ""));
+    EXPECT_EQ(implicit.chosenEdgeMethod(), EdgeMethod::nitsche);
+    EXPECT_EQ(implicit.sliverTreatment, SliverTreatment::extension);
+    const auto steps = std::get<ShellDescription>(shellOf("explicit", ""));
+    EXPECT_EQ(steps.chosenEdgeMethod(), EdgeMethod::penalty);
+    EXPECT_EQ(steps.sliverTreatment, SliverTreatment::scaling);
+    const auto chosen = std::get<ShellDescription>(shellOf("explicit", ", edgeMethod: lagrange"));
+    EXPECT_EQ(chosen.chosenEdgeMethod(), EdgeMethod::lagrange);
+    EXPECT_THROW(shellOf("explicit", ", sliverTreatment: extension"), InputError);
+}
+
 TEST(ShellCase, membrane_under_prestress_carries_pressure) {
     // A square membrane: the linear response to pressure is that of Poisson's equation,
     // 0.073671 p a^2 / (sigma t) in the middle (Timoshenko & Woinowsky-Krieger).

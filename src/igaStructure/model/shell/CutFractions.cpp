@@ -1,9 +1,31 @@
 #include "igaStructure/model/shell/CutFractions.hpp"
 
+#include "igaStructure/model/shell/EdgePoint.hpp"
+
 #include <algorithm>
 #include <cstdlib>
 
 namespace tokay::structure {
+
+namespace {
+
+geometry::Point positionFrom(const ShellPatch& patch, int element, const geometry::Parameters& at) {
+    const int nU = patch.patch().nElementsU();
+    return PatchPlace(patch, element % nU, element / nU, at, Eigen::Vector2d::Zero()).position;
+}
+
+// Whether the surface of one element is that of another one, continued.
+bool continues(const ShellPatch& patch, int element, int other) {
+    constexpr double rounding = 1e-10; // of the element's diagonal
+    const geometry::ParameterBox box = patch.patch().elementBox(element);
+    const geometry::Point lower = positionFrom(patch, element, box.lower);
+    const geometry::Point upper = positionFrom(patch, element, box.upper);
+    const double largest = rounding * (upper - lower).norm();
+    return (positionFrom(patch, other, box.lower) - lower).norm() <= largest &&
+           (positionFrom(patch, other, box.upper) - upper).norm() <= largest;
+}
+
+} // namespace
 
 CutFractions::CutFractions(const ShellPatch& patch)
     : patch_(&patch), fractions_(patch.patch().nElements(), 0.0) {
@@ -36,9 +58,10 @@ int CutFractions::standIn(int element) const {
     double most = fractions_[element];
     for (int l = std::max(j - 1, 0); l <= std::min(j + 1, trimmed.nElementsV() - 1); ++l) {
         for (int k = std::max(i - 1, 0); k <= std::min(i + 1, nU - 1); ++k) {
-            if (worth(k, l) > most) {
+            const int other = trimmed.elementNumber(k, l);
+            if (worth(k, l) > most && continues(*patch_, element, other)) {
                 most = worth(k, l);
-                best = trimmed.elementNumber(k, l);
+                best = other;
             }
         }
     }

@@ -20,7 +20,8 @@ class CutFractions {
     bool isSliver(int element) const { return fractions_[element] < least; }
 
     /// The element itself, or the best of its neighbours if it is a sliver; the
-    /// sliver if none is better.
+    /// sliver if none is better. Across a kink of the surface or of its parameters none
+    /// is, since what is continued there is no rigid motion of the sliver.
     int standIn(int element) const;
 
   private:

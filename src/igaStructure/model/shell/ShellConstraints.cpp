@@ -55,7 +55,7 @@ std::optional<int> normalAxis(const std::vector<EdgePoint>& points) {
 class Builder {
   public:
     Builder(const ShellDescription& description, const ShellPatches& patches, int nNodes)
-        : description_(description), patches_(patches) {
+        : description_(description), method_(description.chosenEdgeMethod()), patches_(patches) {
         requirePossible();
         constraints_.supported.assign(3 * nNodes, false);
     }
@@ -99,11 +99,11 @@ class Builder {
         const double usual = method == EdgeMethod::penalty    ? 1e3
                              : method == EdgeMethod::lagrange ? 1e6
                                                               : 1;
-        return description_.edgeMethod == method ? description_.penalty.value_or(usual) : usual;
+        return method_ == method ? description_.penalty.value_or(usual) : usual;
     }
 
     void requirePossible() const {
-        if (description_.edgeMethod != EdgeMethod::nitsche) {
+        if (method_ != EdgeMethod::nitsche) {
             return;
         }
         if (description_.strains == Strains::nonlinear) {
@@ -181,11 +181,10 @@ class Builder {
     void holdCreases(int face) {
         const std::vector<EdgePoint> points = creasePoints(*patches_[face]);
         const SideStiffness own = stiffness(face);
-        if (description_.edgeMethod == EdgeMethod::nitsche) {
+        if (method_ == EdgeMethod::nitsche) {
             append(nitscheSprings(points, {}, true, {own, own}, factor(EdgeMethod::nitsche)));
         } else {
-            addPenaltySprings(points, {}, true,
-                              {factor(description_.edgeMethod), own.membrane, own.bending});
+            addPenaltySprings(points, {}, true, {factor(method_), own.membrane, own.bending});
         }
     }
 
@@ -208,10 +207,10 @@ class Builder {
         const std::array<SideStiffness, 2> sides = {stiffness(faces[0]), stiffness(faces[1])};
         // The softer patch decides: springs are stiff enough for it, and no stiffer.
         const SideStiffness& softer = sides[sides[1].membrane < sides[0].membrane ? 1 : 0];
-        if (description_.edgeMethod == EdgeMethod::penalty) {
+        if (method_ == EdgeMethod::penalty) {
             addPenaltySprings(points, components, rotation,
                               {factor(EdgeMethod::penalty), softer.membrane, softer.bending});
-        } else if (description_.edgeMethod == EdgeMethod::nitsche && trims) {
+        } else if (method_ == EdgeMethod::nitsche && trims) {
             append(
                 nitscheSprings(points, components, rotation, sides, factor(EdgeMethod::nitsche)));
         } else {
@@ -267,6 +266,7 @@ class Builder {
     }
 
     const ShellDescription& description_;
+    const EdgeMethod method_;
     const ShellPatches& patches_;
     ShellConstraints constraints_;
 };
