@@ -56,7 +56,8 @@ double tip(const Shell& shell, int face, const VectorXd& d) {
 const ShellMaterial concrete{4.32e8, 0, 1};
 
 // Two plates side by side, joined along a straight edge askew in space, with
-// bases that do not match; the second one may be kinked by an angle.
+// bases that do not match; the second one may be kinked by an angle. Joined by springs;
+// the other methods are tested in testShellEdges.
 ShellDescription twoPlates(double kink, Strains strains) {
     const Vector3d along(0.3, 1, 0.2);
     const Vector3d across(1, -0.1, 0);
@@ -69,6 +70,7 @@ ShellDescription twoPlates(double kink, Strains strains) {
         {0.05, 0.05},
         {1e6, 0.3, 1000}};
     description.strains = strains;
+    description.edgeMethod = EdgeMethod::penalty;
     return description;
 }
 
@@ -208,6 +210,7 @@ TEST(ShellPatches, weak_supports_hold_as_exact_ones_do) {
             onePatch(geometry::rectangle({0, 0, 0}, 4, 1), 3, 8, 2, 0.05, {1e6, 0.3, 1});
         plate.strains = Strains::linear;
         plate.edgeSupports = {{{{0, left}}, {true, true, true}, true, weak}};
+        plate.edgeMethod = EdgeMethod::penalty;
         plate.loads.edgeForces = {{{0, right}, VectorField::constant({0, 0, -1})}};
         Shell shell(std::move(plate));
         tips[weak] = shell.stateAt(0, 1, 0.5, solveStatic(shell)).displacement[2];
