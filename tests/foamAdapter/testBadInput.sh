@@ -189,7 +189,7 @@ policy()
 {
     makeCase fluid
     coupling onUnconverged ignore
-    expectRefusal "ignore" "(abort warn)" "controlDict.functions.structure"
+    expectRefusal "ignore" "(abort warn retry)" "controlDict.functions.structure"
 }
 
 property exchangePolicy "an exchange policy that cannot be followed is refused"

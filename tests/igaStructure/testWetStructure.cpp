@@ -143,7 +143,7 @@ TEST(WetStructure, answer_is_where_the_required_force_is_that_of_the_fluid) {
 TEST(WetStructure, variations_are_the_derivative_of_displacements) {
     for (const std::string& text : {linearFlap, nonlinearBeam}) {
         Flap flap(text);
-        const VectorXd d = flap.someUnknowns(0.02);
+        const VectorXd d = flap.someUnknowns(1e-3); // random bending by more buckles the beam
         const VectorXd D = flap.someUnknowns(1);
         flap.structure.factor(d);
         const double step = 1e-6;
