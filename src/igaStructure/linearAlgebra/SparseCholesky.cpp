@@ -1,13 +1,12 @@
 #include "igaStructure/linearAlgebra/SparseCholesky.hpp"
 
 #include "igaStructure/linearAlgebra/FreePart.hpp"
+#include "igaStructure/linearAlgebra/blas.hpp"
 
 #include <cholmod.h>
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <cassert>
-#include <cstdlib>
 #include <limits>
 
 namespace tokay::structure {
@@ -21,6 +20,7 @@ struct SparseCholesky::Implementation {
     cholmod_dense* solution = nullptr;
     cholmod_dense* workspaceY = nullptr;
     cholmod_dense* workspaceE = nullptr;
+    double nOperations = 0; ///< of a factorisation
     bool factorised = false;
 
     Implementation(const SparseMatrix& pattern, const std::vector<bool>& fixed)
@@ -77,6 +77,7 @@ SparseCholesky::SparseCholesky(const SparseMatrix& pattern, const std::vector<bo
     Implementation& own = *implementation_;
     own.factor = cholmod_analyze(own.matrix, &own.common);
     own.requireOk("analysis");
+    own.nOperations = own.common.fl;
     own.rightHandSide = cholmod_allocate_dense(nFree(), 1, nFree(), CHOLMOD_REAL, &own.common);
     own.requireOk("allocation");
 }
@@ -86,6 +87,7 @@ SparseCholesky::~SparseCholesky() = default;
 
 void SparseCholesky::factorise(const SparseMatrix& matrix) {
     Implementation& own = *implementation_;
+    const BlasThreads threads(own.nOperations);
     own.factorised = false;
     own.part.setScaled(matrix, static_cast<double*>(own.matrix->x));
     cholmod_factorize(own.matrix, own.factor, &own.common);
@@ -101,6 +103,7 @@ void SparseCholesky::factorise(const SparseMatrix& matrix) {
 Eigen::VectorXd SparseCholesky::solve(const Eigen::VectorXd& rightHandSide) {
     Implementation& own = *implementation_;
     assert(own.factorised);
+    const BlasThreads threads(4 * nFactorEntries());
     own.part.reduce(rightHandSide, static_cast<double*>(own.rightHandSide->x));
     cholmod_solve2(CHOLMOD_A, own.factor, own.rightHandSide, nullptr, &own.solution, nullptr,
                    &own.workspaceY, &own.workspaceE, &own.common);
@@ -119,16 +122,6 @@ double SparseCholesky::nFactorEntries() const {
 
 double SparseCholesky::bytes() const {
     return sizeof(double) * nFactorEntries() + implementation_->part.bytes();
-}
-
-std::string blasLibrary() {
-    void* symbol = dlsym(RTLD_DEFAULT, "dgemm_");
-    Dl_info info;
-    if (!symbol || !dladdr(symbol, &info)) {
-        return "unknown";
-    }
-    std::unique_ptr<char, decltype(&std::free)> path(realpath(info.dli_fname, nullptr), &std::free);
-    return path ? path.get() : info.dli_fname;
 }
 
 } // namespace tokay::structure

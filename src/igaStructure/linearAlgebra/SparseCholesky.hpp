@@ -28,7 +28,4 @@ class SparseCholesky : public LinearSolver {
     std::unique_ptr<Implementation> implementation_;
 };
 
-/// Path of the library that does the dense products: OpenBLAS or a slower one.
-std::string blasLibrary();
-
 } // namespace tokay::structure

@@ -1,6 +1,7 @@
 #include "igaStructure/linearAlgebra/SparseLu.hpp"
 
 #include "igaStructure/linearAlgebra/FreePart.hpp"
+#include "igaStructure/linearAlgebra/blas.hpp"
 
 #include <fmt/format.h>
 #include <umfpack.h>
@@ -58,6 +59,7 @@ SparseLu::~SparseLu() = default;
 
 void SparseLu::factorise(const SparseMatrix& matrix) {
     Implementation& own = *implementation_;
+    const BlasThreads threads(own.info[UMFPACK_FLOPS_ESTIMATE]);
     umfpack_di_free_numeric(&own.numeric);
     own.part.setScaled(matrix, own.values.data());
     own.require(umfpack_di_numeric(own.part.starts().data(), own.part.rows().data(),

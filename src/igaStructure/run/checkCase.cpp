@@ -2,7 +2,7 @@
 
 #include "igaStructure/body/makeBody.hpp"
 #include "igaStructure/caseFile/readCoupling.hpp"
-#include "igaStructure/linearAlgebra/SparseCholesky.hpp"
+#include "igaStructure/linearAlgebra/blas.hpp"
 #include "igaStructure/output/chosenFields.hpp"
 #include "igaStructure/run/Watch.hpp"
 #include "igaStructure/run/advise.hpp"

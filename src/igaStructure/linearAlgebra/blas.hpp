@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+namespace tokay::structure {
+
+/// Path of the library that does the dense products: OpenBLAS or a slower one.
+std::string blasLibrary();
+
+/// Keeps OpenBLAS to one thread while it lives, if the work is small: waking and
+/// awaiting others then costs more than it brings, above all on a machine that
+/// the fluid keeps busy.
+class BlasThreads {
+  public:
+    /// @param nOperations  floating-point operations of the work
+    explicit BlasThreads(double nOperations);
+    ~BlasThreads();
+    BlasThreads(const BlasThreads&) = delete;
+    BlasThreads& operator=(const BlasThreads&) = delete;
+
+  private:
+    int before_ = 0; ///< threads to go back to; 0: nothing was changed
+};
+
+} // namespace tokay::structure
