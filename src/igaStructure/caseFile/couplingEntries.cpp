@@ -31,7 +31,7 @@ const std::vector<CaseEntry>& couplingEntries() {
     {"coupling.mapping", Kind::map, defaulted, "{}", "", "", 0,
      "Transfer between the fluid's points and faces and the structure."},
     {"coupling.mapping.type", Kind::word, optional, "", "", "nearestElement offset", 0,
-     "Given by the kinematics. nearestElement: displacement of the spline at the closest point; forces by the transpose, at face centres (plane solids, solids). offset: points move with the section at which they lie, forces by the transpose at the current state (thin bodies)."},
+     "Given by the kinematics. nearestElement: displacement of the spline at the closest point; forces by the transpose, a face's in equal parts at its points (plane solids, solids). offset: points move with the section at which they lie, forces by the transpose at the current state (thin bodies)."},
     {"coupling.mapping.gapLimit", Kind::number, optional, "", "", "(0, inf)", 0,
      "Largest distance of a fluid point from the structure, relative to the interface's extent; beyond it the run does not start. 0.01 if not given; 0.1 from the axis or middle surface of a thin body."},
     {"coupling.predictor", Kind::word, defaulted, "linear", "", "constant linear quadratic cubic", 0,
