@@ -149,15 +149,6 @@ noPatch()
     expectText log.pimpleFoam "no patch matches 'patches'" "flag" "dynamicMeshDict"
 }
 
-property otherPatch "harmonicBasis: a motion of other patches is refused"
-otherPatch()
-{
-    makeSway fluid
-    basis patches "(upperWall)"
-    runFaultyFluid
-    expectText log.pimpleFoam "a patch that is not among 'patches' moves" "harmonicBasisCoeffs"
-}
-
 property misspelt "harmonicBasis: a misspelt entry is refused"
 misspelt()
 {
@@ -167,13 +158,13 @@ misspelt()
     expectText log.pimpleFoam "unknown entry 'nFunction'; there are" "nFunctions"
 }
 
-property noMemory "harmonicBasis: a basis beyond the memory limit is refused"
-noMemory()
+property misspeltFallback "harmonicBasis: a fall-back that there is not is refused"
+misspeltFallback()
 {
     makeSway fluid
-    basis memoryLimit 0.001
+    basis fallback laplacian
     runFaultyFluid
-    expectText log.pimpleFoam "more than the 'memoryLimit' of 0.001 MB" "displacementLaplacian"
+    expectText log.pimpleFoam "unknown 'fallback' laplacian; there are: displacementLaplacian none" "dynamicMeshDict"
 }
 
 runProperties "$@"

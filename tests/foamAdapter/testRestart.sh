@@ -102,6 +102,19 @@ doubled()
     expectEqual "bases built again" "$(grep -c 'harmonicBasis: .* functions' continued/log.pimpleFoam)" 1
 }
 
+property fallenBack "so does harmonicBasis after it has fallen back, though the reason is gone"
+fallenBack()
+{
+    makeFluid whole
+    entry constant/dynamicMeshDict harmonicBasisCoeffs '{ memoryLimit 0; }'
+    runFluid
+    stopAndCopy
+    entry constant/dynamicMeshDict harmonicBasisCoeffs '{}'
+    goOn
+    expectText log.pimpleFoam "the mesh moves as by displacementLaplacian" "more than the 'memoryLimit' of 0"
+    expectSameHistory 1e-12
+}
+
 property ascii "files of twelve digits give the history to as many as the solvers leave"
 ascii()
 {

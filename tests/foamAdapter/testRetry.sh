@@ -134,6 +134,16 @@ laplacian()
     expectSameRun "0.01 0.02 0.03 "
 }
 
+property fallback "so it is with harmonicBasis where it falls back in the step that fails"
+fallback()
+{
+    makeBoth rejects
+    inBoth entry constant/dynamicMeshDict harmonicBasisCoeffs '{ memoryLimit 0; }'
+    inBoth runFluid
+    expectSameRun "0.01 0.02 0.03 "
+    expectText long/log.pimpleFoam "the mesh moves as by displacementLaplacian"
+}
+
 property parallel "so it is on two ranks"
 parallel()
 {

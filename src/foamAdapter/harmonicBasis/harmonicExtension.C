@@ -15,7 +15,7 @@ License
 #include "fvmLaplacian.H"
 #include "fvMatrix.H"
 #include "fvSchemes.H"
-#include "motionDiffusivity.H"
+#include "limitedDiffusivity.H"
 #include "pointMesh.H"
 #include "slipPointPatchFields.H"
 #include "volFields.H"
@@ -129,23 +129,7 @@ void Foam::harmonicExtension::setConditions
 void Foam::harmonicExtension::setDiffusivity(Istream& type)
 {
     autoPtr<motionDiffusivity> chosen(motionDiffusivity::New(*mesh_, type));
-    chosen->correct();
-    diffusivity_.reset
-    (
-        new surfaceScalarField
-        (
-            dimensionedScalar("viscosity", dimViscosity, 1)*chosen->operator()()
-        )
-    );
-
-    const scalar limit = 10*gMax(diffusivity_->primitiveField());
-    for (fvsPatchScalarField& onPatch : diffusivity_->boundaryFieldRef())
-    {
-        if (!onPatch.coupled())
-        {
-            onPatch = min(onPatch, limit);
-        }
-    }
+    diffusivity_.reset(limitedDiffusivity(*chosen).ptr());
 }
 
 

@@ -1,0 +1,175 @@
+/*---------------------------------------------------------------------------*\
+    Tokay: OpenFOAM coupled to an isogeometric structure
+-------------------------------------------------------------------------------
+License
+    This file is part of Tokay, which is free software: you can redistribute
+    it and/or modify it under the terms of the GNU General Public License as
+    published by the Free Software Foundation, either version 3 of the
+    License, or (at your option) any later version. See the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "harmonicBasis.H"
+#include "harmonicExtension.H"
+#include "bitSet.H"
+#include "twoDPointCorrector.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::harmonicBasis::pairPoints()
+{
+    const fvMesh& mesh = boundary_.mesh();
+    bitSet hasRow(mesh.nPoints(), true);
+    if (mesh.nGeometricD() == 2)
+    {
+        const edgeList& edges = mesh.edges();
+        DynamicList<label> plane, partners;
+        for
+        (
+            const label edgei
+          : twoDPointCorrector::New(mesh).normalEdgeIndices()
+        )
+        {
+            plane.append(max(edges[edgei][0], edges[edgei][1]));
+            partners.append(min(edges[edgei][0], edges[edgei][1]));
+        }
+        planePoints_.transfer(plane);
+        partners_.transfer(partners);
+        hasRow.unset(planePoints_);
+    }
+    rows_ = hasRow.sortedToc();
+}
+
+
+void Foam::harmonicBasis::extend
+(
+    const pointField& points0,
+    Istream& diffusivity
+)
+{
+    const harmonicExtension extension
+    (
+        boundary_.mesh(),
+        points0,
+        boundary_.pointDisplacement(),
+        boundary_.patches(),
+        diffusivity
+    );
+    cellHeight_ = extension.firstCellHeight();
+    W_.setSize(functions_.size());
+    scalarField onPoints(boundary_.mesh().nPoints(), Zero);
+    forAll(W_, function)
+    {
+        UIndirectList<scalar>(onPoints, boundary_.points()) =
+            functions_.values(function);
+        W_[function] = scalarField(extension.extend(onPoints), rows_);
+    }
+}
+
+
+void Foam::harmonicBasis::keepMovingRows()
+{
+    bitSet moves(rows_.size());
+    for (const scalarField& values : W_)
+    {
+        forAll(values, row)
+        {
+            if (values[row] != 0)
+            {
+                moves.set(row);
+            }
+        }
+    }
+    const labelList kept(moves.sortedToc());
+    rows_ = labelList(UIndirectList<label>(rows_, kept));
+    for (scalarField& values : W_)
+    {
+        values = scalarField(values, kept);
+    }
+}
+
+
+// * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
+
+Foam::scalar Foam::harmonicBasis::memory
+(
+    const movingBoundary& boundary,
+    const label n
+)
+{
+    const fvMesh& mesh = boundary.mesh();
+    const scalar rows = mesh.nPoints()/(mesh.nGeometricD() == 2 ? 2 : 1);
+    const scalar values = rows + boundary.points().size() + 2*scalar(n);
+    return returnReduce(sizeof(scalar)*n*values, maxOp<scalar>());
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::harmonicBasis::harmonicBasis
+(
+    const movingBoundary& boundary,
+    const pointField& points0,
+    const label n,
+    Istream& diffusivity
+)
+:
+    boundary_(boundary),
+    functions_(boundary.places(points0), n)
+{
+    pairPoints();
+    extend(points0, diffusivity);
+    keepMovingRows();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::harmonicBasis::writeSize(Ostream& os) const
+{
+    const label nBoundary = boundary_.points().size();
+    const scalar values = scalar(size())*(rows_.size() + nBoundary);
+    os  << size() << " functions for "
+        << returnReduce(nBoundary, sumOp<label>()) << " boundary points, "
+        << returnReduce(rows_.size(), sumOp<label>()) << " of "
+        << returnReduce(boundary_.mesh().nPoints(), sumOp<label>())
+        << " points move, "
+        << returnReduce(sizeof(scalar)*values, maxOp<scalar>())/1e6
+        << " MB on a rank";
+}
+
+
+Foam::scalar Foam::harmonicBasis::fit()
+{
+    const vectorField displacement(boundary_.displacement());
+    coefficients_ = functions_.coefficients(displacement);
+    return returnReduce
+    (
+        functions_.residual(displacement, coefficients_),
+        maxOp<scalar>()
+    );
+}
+
+
+void Foam::harmonicBasis::apply(vectorField& onPoints) const
+{
+    vectorField displacement(rows_.size(), Zero);
+    forAll(W_, function)
+    {
+        const scalarField& values = W_[function];
+        const vector& coefficient = coefficients_[function];
+        forAll(values, row)
+        {
+            displacement[row] += values[row]*coefficient;
+        }
+    }
+    onPoints = Zero;
+    UIndirectList<vector>(onPoints, rows_) = displacement;
+    forAll(planePoints_, i)
+    {
+        onPoints[planePoints_[i]] = onPoints[partners_[i]];
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,215 @@
+/*---------------------------------------------------------------------------*\
+    Tokay: OpenFOAM coupled to an isogeometric structure
+-------------------------------------------------------------------------------
+License
+    This file is part of Tokay, which is free software: you can redistribute
+    it and/or modify it under the terms of the GNU General Public License as
+    published by the Free Software Foundation, either version 3 of the
+    License, or (at your option) any later version. See the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "movingBoundary.H"
+#include "structureDisplacementPointPatchVectorField.H"
+#include "cyclicAMIPolyPatch.H"
+#include "fixedValuePointPatchFields.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Names, with spaces between them
+static string spaced(const wordList& names)
+{
+    string text;
+    for (const word& name : names)
+    {
+        text += (text.empty() ? "" : " ") + name;
+    }
+    return text;
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::labelList Foam::movingBoundary::selectPatches
+(
+    const dictionary& coeffs
+) const
+{
+    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+    if (coeffs.found("patches"))
+    {
+        const wordRes names(coeffs.get<wordRes>("patches"));
+        const labelList selected(patches.patchSet(names).sortedToc());
+        if (selected.empty())
+        {
+            FatalIOErrorInFunction(coeffs)
+                << "no patch matches 'patches' " << names << nl
+                << "    the mesh has " << patches.names()
+                << exit(FatalIOError);
+        }
+        return selected;
+    }
+
+    DynamicList<label> selected;
+    forAll(patches, patchi)
+    {
+        if
+        (
+            isA<structureDisplacementPointPatchVectorField>
+            (
+                displacement_.boundaryField()[patchi]
+            )
+        )
+        {
+            selected.append(patchi);
+        }
+    }
+    if (selected.empty())
+    {
+        FatalIOErrorInFunction(coeffs)
+            << "no patch of pointDisplacement has the condition '"
+            << structureDisplacementPointPatchVectorField::typeName << "'"
+            << nl << "    name the patches that move in an entry 'patches'"
+            << exit(FatalIOError);
+    }
+    return selected;
+}
+
+
+Foam::labelList Foam::movingBoundary::selectPoints() const
+{
+    labelHashSet points;
+    for (const label patchi : patches_)
+    {
+        points.insert(mesh_.boundaryMesh()[patchi].meshPoints());
+    }
+    return points.sortedToc();
+}
+
+
+Foam::wordList Foam::movingBoundary::othersThatMove() const
+{
+    labelHashSet moving;
+    forAll(displacement_.boundaryField(), patchi)
+    {
+        const auto* values = isA<fixedValuePointPatchVectorField>
+        (
+            displacement_.boundaryField()[patchi]
+        );
+        if
+        (
+            values && values->size() > 0 && max(mag(*values)) > 0
+         && !patches_.found(patchi)
+        )
+        {
+            moving.insert(patchi);
+        }
+    }
+
+    DynamicList<word> found;
+    if (returnReduce(!moving.empty(), orOp<bool>()))
+    {
+        // Those of processors come after the mesh's, which all ranks share
+        const label nPatches = mesh_.boundaryMesh().nNonProcessor();
+        for (label patchi = 0; patchi < nPatches; ++patchi)
+        {
+            if (returnReduce(moving.found(patchi), orOp<bool>()))
+            {
+                found.append(mesh_.boundaryMesh()[patchi].name());
+            }
+        }
+    }
+    wordList names;
+    names.transfer(found);
+    return names;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::movingBoundary::movingBoundary
+(
+    const pointVectorField& displacement,
+    const dictionary& coeffs
+)
+:
+    displacement_(displacement),
+    mesh_(refCast<const fvMesh>(displacement.mesh()())),
+    patches_(selectPatches(coeffs)),
+    points_(selectPoints())
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::wordList Foam::movingBoundary::names() const
+{
+    wordList names(patches_.size());
+    forAll(names, i)
+    {
+        names[i] = mesh_.boundaryMesh()[patches_[i]].name();
+    }
+    return names;
+}
+
+
+Foam::pointField Foam::movingBoundary::places(const pointField& points) const
+{
+    pointField places(points, points_);
+    for (direction cmpt = 0; cmpt < vector::nComponents; ++cmpt)
+    {
+        if (mesh_.geometricD()[cmpt] < 0)
+        {
+            places.replace(cmpt, 0);
+        }
+    }
+    return places;
+}
+
+
+Foam::vectorField Foam::movingBoundary::displacement() const
+{
+    vectorField onPoints(mesh_.nPoints(), Zero);
+    for (const label patchi : patches_)
+    {
+        const auto& values = refCast<const fixedValuePointPatchVectorField>
+        (
+            displacement_.boundaryField()[patchi]
+        );
+        UIndirectList<vector>
+        (
+            onPoints,
+            mesh_.boundaryMesh()[patchi].meshPoints()
+        ) = values;
+    }
+    return vectorField(onPoints, points_);
+}
+
+
+Foam::string Foam::movingBoundary::obstacle() const
+{
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        if (isA<cyclicAMIPolyPatch>(patch))
+        {
+            return "patch '" + patch.name() + "' is a " + patch.type()
+              + ": what moves at one side changes what it touches";
+        }
+    }
+
+    const wordList others(othersThatMove());
+    if (!others.empty())
+    {
+        return "patches that are not among 'patches' (" + spaced(names())
+          + ") move: " + spaced(others);
+    }
+    return string();
+}
+
+
+// ************************************************************************* //
