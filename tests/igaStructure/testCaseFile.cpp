@@ -45,6 +45,15 @@ TEST(CaseFile, valid_file_is_read_with_its_values_and_defaults) {
     EXPECT_FALSE(read.coupling);
 }
 
+TEST(CaseFile, tangents_are_kept_unless_the_run_is_static_or_the_file_says_otherwise) {
+    EXPECT_EQ(readText(exampleText()).newton.reuseContraction, 0.1);
+    EXPECT_EQ(readText(exampleText("time:", "time:\n  scheme: static")).newton.reuseContraction, 0);
+    const std::string given = "newton: {reuseContraction: 0.3}\ntime:";
+    EXPECT_EQ(readText(exampleText("time:", given)).newton.reuseContraction, 0.3);
+    EXPECT_EQ(readText(exampleText("time:", given + "\n  scheme: static")).newton.reuseContraction,
+              0.3);
+}
+
 TEST(CaseFile, unknown_entry_is_reported_with_place_and_the_closest_known_one) {
     EXPECT_THAT(mistake("poissonsRatio", "poisonsRatio"),
                 AllOf(HasSubstr("case.yaml:12:3: material: unknown entry 'poisonsRatio'"),

@@ -139,6 +139,11 @@ std::string caseText() {
            "coupling:\n  interface: [left, top, right]\n  predictor: quadratic\n";
 }
 
+std::string nonlinearCaseText() {
+    std::string text = caseText();
+    return text.replace(text.find("strains: linear"), 15, "strains: nonlinear");
+}
+
 std::vector<double> forcesOf(const coupling::Interface& fluid, std::uint32_t step) {
     return forceOnLeft(fluid, 100 * std::sin(0.5 * step));
 }
@@ -159,7 +164,8 @@ std::vector<std::vector<double>> runSteps(ScriptedFluid& script, const coupling:
 // Six steps of a run that is then killed, and what a restarted one answers.
 class RestartedRun : public testing::Test {
   protected:
-    RestartedRun() {
+    explicit RestartedRun(const std::string& text = caseText())
+        : caseFile(directory.write("case.yaml", text)) {
         fluid.deltaT = 0.01;
         fluid.tolerance = 1e-9;
         ScriptedFluid script(caseFile);
@@ -177,6 +183,18 @@ class RestartedRun : public testing::Test {
         fluid.displacements.assign(x.begin(), x.end());
     }
 
+    // What a run from the saved state answers.
+    std::vector<std::vector<double>> restart() {
+        displace();
+        ScriptedFluid script(caseFile);
+        script.start(fluid);
+        std::vector<std::vector<double>> answers = runSteps(script, fluid, 7, 9);
+        script.sayGoodbye();
+        EXPECT_EQ(script.outcome(), "");
+        EXPECT_THAT(script.log(), HasSubstr("goes on from the saved state of 0.06 s"));
+        return answers;
+    }
+
     std::string refusal() {
         ScriptedFluid script(caseFile);
         script.channel().send(fluid);
@@ -186,7 +204,7 @@ class RestartedRun : public testing::Test {
     }
 
     TemporaryDirectory directory;
-    std::string caseFile = directory.write("case.yaml", caseText());
+    std::string caseFile;
     coupling::Interface fluid = flapInterface(20);
     std::vector<std::vector<double>> expected;
 };
@@ -194,18 +212,36 @@ class RestartedRun : public testing::Test {
 } // namespace
 
 TEST_F(RestartedRun, answers_bit_by_bit_what_the_uninterrupted_one_does) {
-    displace();
-    ScriptedFluid script(caseFile);
-    script.start(fluid);
-    EXPECT_EQ(runSteps(script, fluid, 7, 9), expected);
-    script.sayGoodbye();
-    EXPECT_EQ(script.outcome(), "");
-    EXPECT_THAT(script.log(), HasSubstr("goes on from the saved state of 0.06 s"));
+    EXPECT_EQ(restart(), expected);
     std::vector<double> times;
     for (const PvdEntry& entry : readPvd(directory.file("results/case.pvd"))) {
         times.push_back(entry.time);
     }
     EXPECT_THAT(times, ElementsAre(0, 0.03, 0.06, 0.09));
+}
+
+namespace {
+
+// Newton's method keeps tangents over time steps, but not over a saved state.
+class NonlinearRestart : public RestartedRun {
+  protected:
+    NonlinearRestart() : RestartedRun(nonlinearCaseText()) {}
+};
+
+class NonlinearRestartWithBlocks : public RestartedRun {
+  protected:
+    NonlinearRestartWithBlocks()
+        : RestartedRun(nonlinearCaseText() + "  acceleration: {type: block}\n") {}
+};
+
+} // namespace
+
+TEST_F(NonlinearRestart, answers_bit_by_bit_what_the_uninterrupted_one_does) {
+    EXPECT_EQ(restart(), expected);
+}
+
+TEST_F(NonlinearRestartWithBlocks, answers_bit_by_bit_what_the_uninterrupted_one_does) {
+    EXPECT_EQ(restart(), expected);
 }
 
 TEST_F(RestartedRun, starts_at_rest_under_an_undeformed_fluid) {
@@ -300,9 +336,8 @@ namespace {
 class ImpossibleStep : public testing::Test {
   protected:
     ImpossibleStep() {
-        std::string text = caseText() + "newton: {maximumIterations: 2}\n";
-        text.replace(text.find("strains: linear"), 15, "strains: nonlinear");
-        caseFile = directory.write("case.yaml", text);
+        caseFile =
+            directory.write("case.yaml", nonlinearCaseText() + "newton: {maximumIterations: 2}\n");
     }
     TemporaryDirectory directory;
     std::string caseFile;

@@ -40,6 +40,7 @@ struct Case {
     OutputOptions output;
     std::optional<Coupling> coupling;
     std::string supportsPlace; ///< file, line and entry: begins messages
+    std::string geometryPlace; ///< the same of what gives the body its shape
     std::string digest;        ///< of geometry and discretisation: what the unknowns belong to
 };
 

@@ -95,10 +95,13 @@ std::optional<TimeSteps> readTimeSteps(const CaseSection& section) {
 NewtonOptions readNewton(const CaseSection& file) {
     const CaseSection section = file.section("newton");
     const std::string kinematics = file.section("model").text("kinematics");
+    const bool isStatic = file.section("time").text("scheme") == "static";
     const bool bendsThinly = kinematics == "shell" || kinematics == "beam";
     return {section.number("tolerance"), section.integer("maximumIterations"),
             section.has("lineSearch") ? section.yesNo("lineSearch") : !bendsThinly,
-            section.number("reuseContraction")};
+            section.has("reuseContraction") ? section.number("reuseContraction")
+            : isStatic                      ? 0
+                                            : 0.1};
 }
 
 OutputOptions readOutput(const CaseSection& section, const std::string& directory) {
@@ -114,6 +117,12 @@ OutputOptions readOutput(const CaseSection& section, const std::string& director
         output.watchPoints.push_back({item.text("name"), readCoordinates(item, "at")});
     }
     return output;
+}
+
+// Of a NURBS its control points.
+std::string geometryPlace(const CaseSection& geometry) {
+    return geometry.has("nurbs") ? geometry.section("nurbs").error("controlPoints", "").what()
+                                 : geometry.error(geometry.givenNames().front(), "").what();
 }
 
 } // namespace
@@ -137,6 +146,7 @@ Case readCase(const CaseSection& file, const std::string& fileName) {
             readOutput(file.section("output"), directory),
             isCoupled ? std::optional(readCoupling(file)) : std::nullopt,
             file.error("supports", "").what(),
+            geometryPlace(file.section("geometry")),
             file.section("geometry").digest() + file.section("discretisation").digest()};
 }
 

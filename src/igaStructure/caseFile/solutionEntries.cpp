@@ -35,8 +35,8 @@ const std::vector<CaseEntry>& solutionEntries() {
      "Iterations after which the time step has failed."},
     {"newton.lineSearch", Kind::yesNo, optional, "", "", "", 0,
      "Shorten an update that does not reduce the residual along its own direction, or inverts the body. If not given: no for a shell or beam, whose residual grows before it falls, else yes."},
-    {"newton.reuseContraction", Kind::number, defaulted, "0", "", "[0, 1)", 0,
-     "A factored tangent is kept, over iterations, solutions and time steps, while an iteration leaves at most this share of the residual (modified Newton); 0: a new one in each iteration."},
+    {"newton.reuseContraction", Kind::number, optional, "", "", "[0, 1)", 0,
+     "A factored tangent is kept, over iterations, solutions and time steps, while an iteration leaves at most this share of the residual (modified Newton), but not beyond a saved or rejected step; 0: a new one in each iteration. If not given: 0.1, with scheme static 0, where each tangent shows whether the structure buckles."},
     };
     return entries;
 }

@@ -62,13 +62,15 @@ void CoupledStructure::restoreScheme(coupling::StateReader& state, const Report&
     }
 }
 
-void CoupledStructure::save() const {
+// A run that goes on from there has no tangent either.
+void CoupledStructure::save() {
     SavedState state{case_.digest,       integrator_.state(), integrator_.energies(),
                      boundary_.points(), scheme_->x(),        {}};
     coupling::StateWriter write(state.coupling);
     write.text(scheme_->name());
     scheme_->save(write);
     stateFolder(case_).add(state);
+    integrator_.dropTangent();
 }
 
 Eigen::VectorXd CoupledStructure::beginTimeStep(int step, double time, double deltaT) {

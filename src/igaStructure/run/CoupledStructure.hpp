@@ -23,7 +23,7 @@ class CoupledStructure : public StructureSide {
   private:
     const MotionState& begin(const std::optional<StartState>& start, const Report& report);
     void restoreScheme(coupling::StateReader& state, const Report& report);
-    void save() const;
+    void save();
 
     const Case& case_;
     const WetBoundary& boundary_;

@@ -130,6 +130,7 @@ void TimeIntegrator::acceptTimeStep() {
 
 void TimeIntegrator::rejectTimeStep() {
     displacement_ = state_.displacement;
+    dropTangent();
 }
 
 void TimeIntegrator::restore(const MotionState& state, const Energies& energies) {
@@ -138,6 +139,7 @@ void TimeIntegrator::restore(const MotionState& state, const Energies& energies)
     energies_ = energies;
     followerForce_ = followerForce(state_.displacement, state_.time);
     displacement_ = state_.displacement;
+    dropTangent();
 }
 
 VectorXd TimeIntegrator::accelerationFor(const VectorXd& displacement) const {
@@ -278,26 +280,40 @@ void TimeIntegrator::solveNonlinear() {
         if (residuals_.back() <= newton_.tolerance || current.residual.norm() <= current.rounding) {
             return;
         }
-        const bool isKept = tangentServes_ && isFactoredForStep();
-        if (!isKept) {
-            renewTangent();
-        }
-        const VectorXd before = displacement_;
-        Balance next = update(solver_->solve(current.residual), current);
-        const double contraction = next.residual.norm() / current.residual.norm();
-        tangentServes_ = contraction <= newton_.reuseContraction;
-        if (isKept && !(contraction < 1)) {
-            displacement_ = before; // once more, with a new tangent
-            continue;
-        }
+        Balance next = iterate(current);
+        tangentServes_ = next.residual.norm() <= newton_.reuseContraction * current.residual.norm();
         current = std::move(next);
     }
     throwNotConverged("Newton's method did not converge");
 }
 
+TimeIntegrator::Balance TimeIntegrator::iterate(const Balance& current) {
+    if (tangentServes_ && isFactoredForStep()) {
+        if (std::optional<Balance> next = iterateWithKeptTangent(current)) {
+            return *std::move(next);
+        }
+    }
+    renewTangent();
+    return searchAlong(solver_->solve(current.residual), current);
+}
+
+// A whole update, or none if the residual would rise: a search along the
+// direction of an old tangent would spend what keeping it saves.
+std::optional<TimeIntegrator::Balance>
+TimeIntegrator::iterateWithKeptTangent(const Balance& current) {
+    const VectorXd end = displacement_ + solver_->solve(current.residual);
+    Balance next = balance(end);
+    if (!(next.residual.norm() < current.residual.norm() && next.smallestVolumeRatio > 0)) {
+        return std::nullopt;
+    }
+    displacement_ = end;
+    return next;
+}
+
 // Moves along an update as far as the residual's work along it falls enough.
 // Near the solution that is the whole update, so that convergence stays quadratic.
-TimeIntegrator::Balance TimeIntegrator::update(const VectorXd& update, const Balance& current) {
+TimeIntegrator::Balance TimeIntegrator::searchAlong(const VectorXd& update,
+                                                    const Balance& current) {
     constexpr double enough = 0.8;
     constexpr double shortest = 1.0 / 64;
     const double work = std::abs(update.dot(current.residual));

@@ -59,6 +59,10 @@ class TimeIntegrator {
     /// Forgets the step; the state is as before beginTimeStep.
     void rejectTimeStep();
 
+    /// The next iteration takes a new tangent, so that what follows depends on the
+    /// state alone: for whoever saves the state to go on from it later.
+    void dropTangent() { tangentServes_ = false; }
+
     /// Goes on from an earlier run's state, between two time steps.
     void restore(const MotionState& state, const Energies& energies);
 
@@ -100,7 +104,9 @@ class TimeIntegrator {
     void setInitialAcceleration();
     void solveLinear();
     void solveNonlinear();
-    Balance update(const Eigen::VectorXd& update, const Balance& current);
+    Balance iterate(const Balance& current);
+    std::optional<Balance> iterateWithKeptTangent(const Balance& current);
+    Balance searchAlong(const Eigen::VectorXd& update, const Balance& current);
     [[noreturn]] void throwNotConverged(const char* why) const;
     std::string freeMotionsHint() const;
     void updateEnergies(const MotionState& next);
