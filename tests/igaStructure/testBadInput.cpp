@@ -55,17 +55,21 @@ TEST(BadInput, supports_that_leave_rigid_motions_free_are_told_with_these) {
                       HasSubstr("nothing prevents: translation along y; add supports")));
     std::string path = plateText("scheme: static", "scheme: arcLength");
     path.replace(path.find("[x, y, z, rotation]"), 19, "[x, y, z]");
-    EXPECT_THAT(mistake(path), AllOf(HasSubstr("case.yaml:7:3: supports: "),
-                                     HasSubstr("nothing prevents: a rotation; add")));
+    EXPECT_THAT(mistake(path),
+                AllOf(HasSubstr("case.yaml:7:3: supports: "),
+                      HasSubstr("nothing prevents: rotation about y through (0, 0.5, 0); add")));
 }
 
 TEST(BadInput, inverted_geometry_is_told_with_its_place) {
     const std::string solid =
         "  nurbs: {degree: [1, 1], knotsXi: [0, 0, 1, 1], knotsEta: [0, 0, 1, 1], "
         "controlPoints: [[1, 0], [0, 0], [1, 1], [0, 1]]}\n";
-    EXPECT_THAT(mistake(exampleText("  rectangle: {origin: [-0.05, 0], size: [0.1, 1]}\n", solid)),
-                AllOf(HasSubstr("case.yaml: the geometry folds over near x = "),
-                      HasSubstr("xi turns to eta counter-clockwise")));
+    EXPECT_THAT(
+        mistake(exampleText("  rectangle: {origin: [-0.05, 0], size: [0.1, 1]}\n", solid)),
+        AllOf(HasSubstr("case.yaml:2:89: geometry.nurbs.controlPoints: the geometry folds "
+                        "over near x = "),
+              HasSubstr("area element (that of the point, with its quadrature weight) is -"),
+              HasSubstr("xi turns to eta counter-clockwise")));
     // Turns back at 5/9 of its length.
     const std::string shell =
         "nurbs: {degree: [2, 1], knotsXi: [0, 0, 0, 1, 1, 1], knotsEta: [0, 0, 1, 1], "
@@ -73,8 +77,61 @@ TEST(BadInput, inverted_geometry_is_told_with_its_place) {
     EXPECT_THAT(mistake(plateText("plate: {origin: [0, 0, 0], edgeXi: [1, 0, 0], edgeEta: "
                                   "[0, 1, 0]}",
                                   shell)),
-                AllOf(HasSubstr("case.yaml: the surface of patch \"shell\" folds over"),
+                AllOf(HasSubstr("case.yaml:2:95: geometry.nurbs.controlPoints: the surface of "
+                                "patch \"shell\" folds over (its normal turns by 180 degrees"),
                       HasSubstr("check its control points")));
+}
+
+namespace {
+
+std::string beamText(const std::string& geometry) {
+    return "geometry:\n  " + geometry +
+           "\ndiscretisation: {degree: [2], elements: [2]}\n"
+           "model: {kinematics: beam, strains: linear, thickness: 0.1}\n"
+           "material: {type: StVenantKirchhoff, youngsModulus: 1, poissonsRatio: 0, density: 1}\n"
+           "supports: []\n";
+}
+
+std::string solidText(const std::string& geometry, const std::string& model) {
+    return "geometry:\n  " + geometry +
+           "\ndiscretisation: {degree: [2, 2, 2], elements: [1, 1, 1]}\n"
+           "model: {kinematics: solid, strains: linear" +
+           model +
+           "}\nmaterial: {type: StVenantKirchhoff, youngsModulus: 1, poissonsRatio: 0, "
+           "density: 1}\nsupports: []\n";
+}
+
+} // namespace
+
+TEST(BadInput, line_that_turns_back_or_stands_still_is_told_with_its_place) {
+    // As the shell above.
+    EXPECT_THAT(mistake(beamText("nurbs: {degree: [2], knotsXi: [0, 0, 0, 1, 1, 1], "
+                                 "controlPoints: [[0, 0], [1, 0], [0.2, 0]]}")),
+                AllOf(HasSubstr("case.yaml:2:68: geometry.nurbs.controlPoints: the line turns back "
+                                "on itself between (0.5"),
+                      HasSubstr("turns by 180 degrees"), HasSubstr("must run onwards")));
+    EXPECT_THAT(mistake(beamText("nurbs: {degree: [2], knotsXi: [0, 0, 0, 1, 1, 1], "
+                                 "controlPoints: [[3, 1], [3, 1], [3, 1]]}")),
+                AllOf(HasSubstr("case.yaml:2:68: geometry.nurbs.controlPoints: "),
+                      HasSubstr("has no tangent at (3, 1, 0): its line element is 0 m")));
+    EXPECT_EQ(mistake(beamText("arc: {centre: [0, 0], radius: 1, angles: [0, 90]}")), "no error");
+}
+
+TEST(BadInput, solid_turned_inside_out_is_told_with_its_place) {
+    EXPECT_THAT(
+        mistake(solidText("nurbs: {degree: [1, 1, 1], knotsXi: [0, 0, 1, 1], knotsEta: [0, 0, 1, "
+                          "1], knotsZeta: [0, 0, 1, 1], controlPoints: [[1, 0, 0], [0, 0, 0], [1, "
+                          "1, 0], [0, 1, 0], [1, 0, 1], [0, 0, 1], [1, 1, 1], [0, 1, 1]]}",
+                          "")),
+        AllOf(HasSubstr("case.yaml:2:117: geometry.nurbs.controlPoints: the geometry is turned "
+                        "inside out near x = "),
+              HasSubstr("m^3 and must be positive"), HasSubstr("right-handed")));
+    // Its inner surface would lie beyond the axis.
+    EXPECT_THAT(mistake(solidText("cylinder: {base: [0, 0, 0], radius: 1, height: 1, angles: [0, "
+                                  "90]}",
+                                  ", thickness: 3")),
+                AllOf(HasSubstr("case.yaml:2:13: geometry.cylinder: "),
+                      HasSubstr("thinner than twice its radius of curvature")));
 }
 
 TEST(BadInput, thickness_of_zero_and_bodies_without_extent_are_told) {

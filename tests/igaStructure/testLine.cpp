@@ -335,7 +335,8 @@ TEST(Line, free_rigid_motions_are_named) {
     ExampleLine kind;
     EXPECT_TRUE(kind.build().freeRigidMotions().empty());
     kind.supports = {{LineEnd::start, true, true, false}};
-    EXPECT_EQ(kind.build().freeRigidMotions(), std::vector<std::string>{"rotation"});
+    EXPECT_EQ(kind.build().freeRigidMotions(),
+              std::vector<std::string>{"rotation about z through (0, 0, 0)"});
     kind.supports = {{LineEnd::start, false, true, true}};
     EXPECT_EQ(kind.build().freeRigidMotions(), std::vector<std::string>{"translation along x"});
     kind.supports.push_back({LineEnd::end, true, false, false});

@@ -2,6 +2,7 @@
 #include "exampleVolume.hpp"
 
 #include <Eigen/Geometry>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -269,8 +270,8 @@ TEST(Solid, free_rigid_motions_are_named) {
         exampleVolume({Strains::linear, MaterialLaw::stVenantKirchhoff, false});
     EXPECT_TRUE(Solid(description).freeRigidMotions().empty());
     description.supports = {{{Side::left, Side::bottom}, {true, true, true}}};
-    EXPECT_EQ(Solid(description).freeRigidMotions(),
-              std::vector<std::string>{"a rotation"}); // about the edge, not the middle
+    EXPECT_THAT(Solid(description).freeRigidMotions(),
+                testing::ElementsAre(testing::StartsWith("rotation about z through (0, 0, ")));
     description.supports = {{{Side::left}, {true, false, false}},
                             {{Side::left, Side::bottom, Side::back}, {true, true, true}}};
     EXPECT_EQ(Solid(description).freeRigidMotions().size(), 1u);

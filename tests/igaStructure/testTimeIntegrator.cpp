@@ -282,7 +282,7 @@ TEST(TimeIntegrator, missing_supports_of_a_static_analysis_are_named) {
     cantilever.supports = {};
     EXPECT_EQ(failure(cantilever, 1),
               "a static analysis needs supports against every rigid motion; nothing prevents: "
-              "translation along x, translation along y, rotation; add supports");
+              "translation along x, translation along y, rotation about z; add supports");
     cantilever.supports = {{geometry::Edge::bottom, {false, true}}};
     EXPECT_NE(failure(cantilever, 1).find("prevents: translation along x; add"), std::string::npos);
     cantilever.supports = {{geometry::Edge::left, {true, false}}};

@@ -1,10 +1,10 @@
 #include "igaStructure/body/makeBody.hpp"
 
-#include "common/errors.hpp"
 #include "igaStructure/body/LineBody.hpp"
 #include "igaStructure/body/PlaneBody.hpp"
 #include "igaStructure/body/ShellBody.hpp"
 #include "igaStructure/body/SolidBody.hpp"
+#include "igaStructure/model/GeometryError.hpp"
 
 namespace tokay::structure {
 
@@ -35,6 +35,8 @@ std::unique_ptr<Body> makeBody(const Case& structureCase) {
     try {
         return std::visit([](const auto& structure) { return make(structure); },
                           structureCase.structure);
+    } catch (const GeometryError& error) {
+        throw InputError(structureCase.geometryPlace + error.what());
     } catch (const InputError& error) {
         throw InputError(structureCase.file + ": " + error.what());
     }

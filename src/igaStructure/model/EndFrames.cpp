@@ -26,8 +26,9 @@ Matrix3d frame(const Vector3d& tangent, int dimension) {
 EndFrames::EndFrames(const geometry::NurbsCurve& curve, const std::vector<LineSupport>& supports,
                      int dimension)
     : dimension_(dimension), fixed_(dimension * curve.nControlPoints(), false),
-      toDisplacements_(fixed_.size(), fixed_.size()), heldMotions_(0, 6) {
+      toDisplacements_(fixed_.size(), fixed_.size()), motions_(curve.controlPoints()) {
     toDisplacements_.setIdentity();
+    holdWhatIsNoMotion(curve);
     for (const LineSupport& support : supports) {
         hold(curve, support);
     }
@@ -40,28 +41,35 @@ EndFrames::EndFrames(const geometry::NurbsCurve& curve, const std::vector<LineSu
     }
 }
 
+// In space turning about its own chord does not move a straight line, and swings
+// a cable, which loads and prestress resist as they do its motions without strain.
+void EndFrames::holdWhatIsNoMotion(const geometry::NurbsCurve& curve) {
+    if (dimension_ == 2) {
+        motions_.holdInPlane();
+        return;
+    }
+    const geometry::Points& points = curve.controlPoints();
+    const Vector3d chord = points.row(points.rows() - 1) - points.row(0);
+    if (chord.norm() > 0) {
+        motions_.holdRotation(chord.normalized());
+    }
+}
+
 void EndFrames::hold(const geometry::NurbsCurve& curve, const LineSupport& support) {
     const int n = curve.nControlPoints();
     const int first = support.end == LineEnd::start ? 0 : n - 1;
     const int second = support.end == LineEnd::start ? 1 : n - 2;
     const geometry::Points& points = curve.controlPoints();
-    const double size = (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
-    const Vector3d x = (points.row(first) - points.colwise().mean()).transpose() / size;
     const bool held[3] = {support.x, support.y, support.z};
     for (int c = 0; c < dimension_; ++c) {
         if (held[c]) {
             fixed_[dimension_ * first + c] = true;
-            holdMotion(Vector3d::Unit(c), x.cross(Vector3d::Unit(c)));
+            motions_.holdPoint(points.row(first), Vector3d::Unit(c));
         }
     }
     if (support.rotation) {
         holdRotation(first, second, (points.row(second) - points.row(first)).normalized());
     }
-}
-
-void EndFrames::holdMotion(const Vector3d& translation, const Vector3d& rotation) {
-    heldMotions_.conservativeResize(heldMotions_.rows() + 1, 6);
-    heldMotions_.bottomRows<1>() << translation.transpose(), rotation.transpose();
 }
 
 void EndFrames::holdRotation(int first, int second, const Vector3d& tangent) {
@@ -79,17 +87,8 @@ void EndFrames::holdRotation(int first, int second, const Vector3d& tangent) {
     for (int c = 1; c < dimension_; ++c) {
         fixed_[dimension_ * second + c] = true;
         // Turns the tangent towards that axis.
-        holdMotion(Vector3d::Zero(), tangent.cross(axes.col(c)));
+        motions_.holdRotation(tangent.cross(axes.col(c)));
     }
-}
-
-Eigen::MatrixXd EndFrames::heldMotions() const {
-    if (dimension_ == 3) {
-        return heldMotions_;
-    }
-    Eigen::MatrixXd inPlane(heldMotions_.rows(), 3);
-    inPlane << heldMotions_.leftCols<2>(), heldMotions_.rightCols<1>();
-    return inPlane;
 }
 
 Eigen::VectorXd EndFrames::displacements(const Eigen::VectorXd& unknowns) const {

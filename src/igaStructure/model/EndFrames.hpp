@@ -2,6 +2,7 @@
 
 #include "geometry/NurbsCurve.hpp"
 #include "igaStructure/model/LineEnd.hpp"
+#include "igaStructure/model/RigidMotions.hpp"
 
 #include <Eigen/SparseCore>
 
@@ -36,20 +37,20 @@ class EndFrames {
     /// A matrix for control points becomes one for unknowns.
     Eigen::SparseMatrix<double> matrix(const Eigen::SparseMatrix<double>& ofControlPoints) const;
 
-    /// Rigid motions at what is held, one row each; lengths relative to the line's
-    /// size. Columns as freeRigidMotions() has them.
-    Eigen::MatrixXd heldMotions() const;
+    /// Rigid motions that what is held leaves free, in words. In space turning about
+    /// its chord does not count as one.
+    std::vector<std::string> freeRigidMotions() const { return motions_.freeOnes(); }
 
   private:
+    void holdWhatIsNoMotion(const geometry::NurbsCurve& curve);
     void hold(const geometry::NurbsCurve& curve, const LineSupport& support);
-    void holdMotion(const Eigen::Vector3d& translation, const Eigen::Vector3d& rotation);
     void holdRotation(int first, int second, const Eigen::Vector3d& tangent);
 
     int dimension_;
     bool isIdentity_ = true;
     std::vector<bool> fixed_;
     Eigen::SparseMatrix<double> toDisplacements_;
-    Eigen::Matrix<double, Eigen::Dynamic, 6> heldMotions_; // in space
+    RigidMotions motions_;
 };
 
 } // namespace tokay::structure

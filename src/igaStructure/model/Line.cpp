@@ -1,7 +1,6 @@
 #include "igaStructure/model/Line.hpp"
 
 #include "common/errors.hpp"
-#include "igaStructure/model/Supports.hpp"
 #include "igaStructure/model/isStraight.hpp"
 
 #include <fmt/format.h>
@@ -239,9 +238,7 @@ bool Line::hasSymmetricTangent() const {
 }
 
 std::vector<std::string> Line::freeRigidMotions() const {
-    // In space turning about its own chord does not move a straight line, and swings
-    // a cable, which loads and prestress resist as they do its motions without strain.
-    return structure::freeRigidMotions(frames_.heldMotions(), dimension_ == 2 ? 3 : 5);
+    return frames_.freeRigidMotions();
 }
 
 double Line::size() const {

@@ -22,7 +22,7 @@ struct LinePoint {
 };
 
 /// Gauss points of all elements of a curve, element after element.
-/// @throws InputError if the curve has no tangent at one of them
+/// @throws GeometryError if the curve has no tangent at one of them, or turns back
 std::vector<LinePoint> linePoints(const geometry::NurbsCurve& curve, int nPointsPerElement,
                                   int dimension);
 

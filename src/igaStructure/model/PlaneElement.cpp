@@ -1,6 +1,6 @@
 #include "igaStructure/model/PlaneElement.hpp"
 
-#include "common/errors.hpp"
+#include "igaStructure/model/GeometryError.hpp"
 
 #include <Eigen/LU>
 #include <fmt/format.h>
@@ -62,11 +62,12 @@ void PlaneElement::requireRegular() const {
         return;
     }
     const Eigen::Vector2d x = position();
-    throw InputError(
-        fmt::format("the geometry folds over near x = {:.6g}, y = {:.6g} (element {} of {} along "
-                    "xi, {} of {} along eta): its area element is not positive; control points "
-                    "must run so that xi turns to eta counter-clockwise",
-                    x[0], x[1], spanU_ + 1, u_.nSpans(), spanV_ + 1, v_.nSpans()));
+    throw GeometryError(fmt::format(
+        "the geometry folds over near x = {:.6g}, y = {:.6g} (element {} of {} along xi, {} of {} "
+        "along eta): its area element (that of the point, with its quadrature weight) is {:.3g} "
+        "m^2 and must be positive; control points must run so that xi turns to eta "
+        "counter-clockwise",
+        x[0], x[1], spanU_ + 1, u_.nSpans(), spanV_ + 1, v_.nSpans(), area_));
 }
 
 } // namespace tokay::structure

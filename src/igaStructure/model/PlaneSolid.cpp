@@ -2,6 +2,7 @@
 
 #include "common/errors.hpp"
 #include "igaStructure/model/PlaneElement.hpp"
+#include "igaStructure/model/RigidMotions.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -231,7 +232,16 @@ double PlaneSolid::strainEnergy(const Eigen::VectorXd& displacement) const {
 }
 
 std::vector<std::string> PlaneSolid::freeRigidMotions() const {
-    return structure::freeRigidMotions(surface_, fixed_);
+    RigidMotions motions(surface_.controlPoints());
+    motions.holdInPlane();
+    for (int k = 0; k < surface_.nControlPoints(); ++k) {
+        for (int c = 0; c < 2; ++c) {
+            if (fixed_[2 * k + c]) {
+                motions.holdPoint(surface_.controlPoints().row(k), Eigen::Vector3d::Unit(c));
+            }
+        }
+    }
+    return motions.freeOnes();
 }
 
 double PlaneSolid::size() const {

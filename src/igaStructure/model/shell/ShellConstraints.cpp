@@ -1,12 +1,10 @@
 #include "igaStructure/model/shell/ShellConstraints.hpp"
 
 #include "common/errors.hpp"
+#include "igaStructure/model/RigidMotions.hpp"
 #include "igaStructure/model/shell/LagrangeSpring.hpp"
 #include "igaStructure/model/shell/NitscheSpring.hpp"
 #include "igaStructure/model/shell/SliverSpring.hpp"
-
-#include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -271,43 +269,6 @@ class Builder {
     ShellConstraints constraints_;
 };
 
-// The six rigid motions (translations, rotations about axes through the centre,
-// lengths relative to the size) as displacements of the nodes.
-Eigen::MatrixXd rigidMotions(const geometry::Points& nodes) {
-    const geometry::Point centre = nodes.colwise().mean();
-    const double size = (nodes.colwise().maxCoeff() - nodes.colwise().minCoeff()).norm();
-    Eigen::MatrixXd motions(3 * nodes.rows(), 6);
-    for (Eigen::Index k = 0; k < nodes.rows(); ++k) {
-        const geometry::Point x = (nodes.row(k).transpose() - centre) / size;
-        motions.block<3, 3>(3 * k, 0).setIdentity();
-        motions.block<3, 3>(3 * k, 3) = -skew(x);
-    }
-    return motions;
-}
-
-// Sum over all that is held of r r^T, r being what the six motions do there.
-Eigen::Matrix<double, 6, 6> held(const geometry::Points& nodes,
-                                 const ShellConstraints& constraints) {
-    const Eigen::MatrixXd motions = rigidMotions(nodes);
-    Matrix6d sum = Matrix6d::Zero();
-    for (std::size_t k = 0; k < constraints.supported.size(); ++k) {
-        if (constraints.supported[k]) {
-            sum += motions.row(k).transpose() * motions.row(k);
-        }
-    }
-    for (const auto& spring : constraints.springs) {
-        const Eigen::MatrixXd rows = spring->restRows();
-        Eigen::MatrixXd own(rows.cols(), 6);
-        for (std::size_t k = 0; k < spring->nodes().size(); ++k) {
-            own.middleRows<3>(3 * static_cast<Eigen::Index>(k)) =
-                motions.middleRows<3>(3 * spring->nodes()[k]);
-        }
-        const Eigen::MatrixXd effect = rows * own;
-        sum += effect.transpose() * effect / (1e-300 + rows.squaredNorm());
-    }
-    return sum;
-}
-
 } // namespace
 
 ShellConstraints shellConstraints(const ShellDescription& description, const ShellPatches& patches,
@@ -317,25 +278,23 @@ ShellConstraints shellConstraints(const ShellDescription& description, const She
 
 std::vector<std::string> freeRigidMotions(const geometry::Points& nodes,
                                           const ShellConstraints& constraints) {
-    constexpr double rounding = 1e-13;
-    const Eigen::SelfAdjointEigenSolver<Matrix6d> modes(held(nodes, constraints));
-    const double nothing = rounding * std::max(1.0, modes.eigenvalues()[5]);
-    const int nFree = static_cast<int>((modes.eigenvalues().array() <= nothing).count());
-    static const char* const names[6] = {"translation along x", "translation along y",
-                                         "translation along z", "rotation about x",
-                                         "rotation about y",    "rotation about z"};
-    std::vector<std::string> found;
-    const Eigen::MatrixXd space = modes.eigenvectors().leftCols(nFree);
-    for (int k = 0; k < 6; ++k) {
-        // A motion is free if it lies in the space of free motions.
-        if (space.row(k).squaredNorm() > 1 - 1e-6) {
-            found.emplace_back(names[k]);
+    RigidMotions motions(nodes);
+    for (std::size_t k = 0; k < constraints.supported.size(); ++k) {
+        if (constraints.supported[k]) {
+            motions.hold(motions.at(nodes.row(static_cast<Eigen::Index>(k / 3)))
+                             .row(static_cast<Eigen::Index>(k % 3)));
         }
     }
-    if (static_cast<int>(found.size()) < nFree) {
-        found.emplace_back(found.empty() ? "a rotation" : "another rotation");
+    for (const auto& spring : constraints.springs) {
+        const Eigen::MatrixXd rows = spring->restRows();
+        Eigen::MatrixXd own(rows.cols(), 6);
+        for (std::size_t k = 0; k < spring->nodes().size(); ++k) {
+            own.middleRows<3>(3 * static_cast<Eigen::Index>(k)) =
+                motions.at(nodes.row(spring->nodes()[k]));
+        }
+        motions.hold(rows * own / std::sqrt(1e-300 + rows.squaredNorm()));
     }
-    return found;
+    return motions.freeOnes();
 }
 
 } // namespace tokay::structure

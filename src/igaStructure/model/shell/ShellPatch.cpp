@@ -1,11 +1,12 @@
 #include "igaStructure/model/shell/ShellPatch.hpp"
 
-#include "common/errors.hpp"
+#include "igaStructure/model/GeometryError.hpp"
 #include "igaStructure/model/shell/ShellElement.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace tokay::structure {
 
@@ -49,11 +50,11 @@ std::vector<int> ShellPatch::nodesOfRow(int row) const {
 }
 
 void ShellPatch::requireRegular() const {
-    const auto error = [&](const ShellElement& element, const char* what) {
+    const auto error = [&](const ShellElement& element, const std::string& what) {
         const Eigen::Vector3d x = element.position();
-        return InputError(fmt::format("the surface of patch \"{}\" {} near ({:.6g}, {:.6g}, "
-                                      "{:.6g}); check its control points",
-                                      patch_.name(), what, x[0], x[1], x[2]));
+        return GeometryError(fmt::format("the surface of patch \"{}\" {} near ({:.6g}, {:.6g}, "
+                                         "{:.6g}); check its control points",
+                                         patch_.name(), what, x[0], x[1], x[2]));
     };
     constexpr double foldedOver = -0.9; // cosine of normals of neighbouring points
     std::vector<Eigen::Vector3d> lastNormals(patch_.nElements(), Eigen::Vector3d::Zero());
@@ -74,11 +75,18 @@ void ShellPatch::requireRegular() const {
             const UnitNormal& normal = element.reference().normal;
             const double size = element.reference().derivatives.leftCols<2>().squaredNorm();
             if (!(normal.area() > 1e-14 * size)) {
-                throw error(element, "is degenerate (its parameter lines are parallel)");
+                throw error(element,
+                            fmt::format("is degenerate (its parameter lines meet at an angle whose "
+                                        "sine is {:.2g}, or one of them has no length)",
+                                        size > 0 ? 2 * normal.area() / size : 0));
             }
             for (const Eigen::Vector3d& other : before) {
-                if (other.dot(normal.value()) < foldedOver) {
-                    throw error(element, "folds over (its normal turns round)");
+                const double cosine = other.dot(normal.value());
+                if (cosine < foldedOver) {
+                    throw error(element,
+                                fmt::format("folds over (its normal turns by {:.3g} degrees from "
+                                            "one quadrature point to the next)",
+                                            180 / M_PI * std::acos(std::max(-1.0, cosine))));
                 }
             }
             before = {normal.value()};

@@ -1,7 +1,7 @@
 #include "igaStructure/model/solid/Solid.hpp"
 
+#include "igaStructure/model/RigidMotions.hpp"
 #include "igaStructure/model/shell/ElementTangent.hpp"
-#include "igaStructure/model/shell/ShellConstraints.hpp"
 #include "igaStructure/model/solid/solidHessian.hpp"
 #include "igaStructure/model/solid/solidSupports.hpp"
 
@@ -241,7 +241,15 @@ void Solid::subtractFollowerDerivative(const VectorXd& displacement, double time
 }
 
 std::vector<std::string> Solid::freeRigidMotions() const {
-    return structure::freeRigidMotions(volume().controlPoints(), {fixed_, fixed_, {}, 0});
+    RigidMotions motions(volume().controlPoints());
+    for (int k = 0; k < volume().nControlPoints(); ++k) {
+        for (int c = 0; c < 3; ++c) {
+            if (fixed_[3 * k + c]) {
+                motions.holdPoint(volume().controlPoints().row(k), Vector3d::Unit(c));
+            }
+        }
+    }
+    return motions.freeOnes();
 }
 
 double Solid::size() const {

@@ -1,6 +1,6 @@
 #include "igaStructure/model/solid/SolidElement.hpp"
 
-#include "common/errors.hpp"
+#include "igaStructure/model/GeometryError.hpp"
 
 #include <Eigen/LU>
 #include <fmt/format.h>
@@ -119,12 +119,14 @@ void SolidElement::requireRegular() const {
         return;
     }
     const Eigen::Vector3d x = position();
-    throw InputError(fmt::format(
+    throw GeometryError(fmt::format(
         "the geometry is turned inside out near x = {:.6g}, y = {:.6g}, z = {:.6g} (element {} of "
-        "{} along xi, {} of {} along eta, {} of {} along zeta): its volume element is not "
-        "positive; xi, eta and zeta must be a right-handed system everywhere",
+        "{} along xi, {} of {} along eta, {} of {} along zeta): its volume element (that of the "
+        "point, with its quadrature weight) is {:.3g} m^3 and must be positive; xi, eta and zeta "
+        "must be a right-handed system everywhere, and a thickened surface must be thinner than "
+        "twice its radius of curvature",
         x[0], x[1], x[2], spans_[0] + 1, grid_->basis[0].nSpans(), spans_[1] + 1,
-        grid_->basis[1].nSpans(), spans_[2] + 1, grid_->basis[2].nSpans()));
+        grid_->basis[1].nSpans(), spans_[2] + 1, grid_->basis[2].nSpans(), volume_));
 }
 
 } // namespace tokay::structure
