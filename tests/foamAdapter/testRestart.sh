@@ -137,7 +137,15 @@ backward()
     expectExact
 }
 
-property adjusted "so does a run whose time step the fluid adjusts"
+property crankNicolson "so does CrankNicolson with its rates"
+crankNicolson()
+{
+    makeFluid whole
+    entry system/fvSchemes ddtSchemes.default "CrankNicolson 0.9"
+    expectExact
+}
+
+property adjusted "a run whose time step the fluid adjusts goes on as well"
 adjusted()
 {
     makeFluid whole

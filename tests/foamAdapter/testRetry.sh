@@ -125,6 +125,15 @@ backward()
     expectSameRun "0.01 0.02 0.03 "
 }
 
+property crankNicolson "so it is with CrankNicolson and its rates"
+crankNicolson()
+{
+    makeBoth rejects
+    inBoth entry system/fvSchemes ddtSchemes.default "CrankNicolson 0.9"
+    inBoth runFluid
+    expectSameRun "0.01 0.02 0.03 "
+}
+
 property laplacian "so it is with a mesh that OpenFOAM's displacementLaplacian moves"
 laplacian()
 {

@@ -156,6 +156,7 @@ void Foam::couplingSession::beginTimeStep()
     {
         retry_->beginTimeStep();
     }
+    rates_.beginTimeStep();
     exchangeCorrector_ = 0;
     timeIndex_ = runTime.timeIndex();
 
@@ -419,6 +420,7 @@ Foam::couplingSession::couplingSession
     interface_(mesh, selectPatches(mesh, dict), dict),
     force_(mesh, dict),
     residual_(name, force_.UName(), mesh, pimple_),
+    rates_(mesh, force_.UName()),
     policy_(dict, residual_),
     audit_(mesh, dict),
     audited_(false),
@@ -487,6 +489,7 @@ const Foam::vectorField& Foam::couplingSession::displacement
         displacement_ = nextDisplacement_;
     }
     corrector_ = pimple_.corr();
+    rates_.keepNew();
 
     return displacement_[interface_.patches().find(patchi)];
 }

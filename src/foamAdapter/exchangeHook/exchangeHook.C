@@ -62,12 +62,16 @@ Foam::fv::exchangeHook::exchangeHook
 
 void Foam::fv::exchangeHook::correct(volVectorField&)
 {
+    couplingSession& session =
+        mesh_.lookupObjectRef<couplingSession>(sessionName_);
+    session.endVelocitySolution();
+
     const pimpleControl& pimple =
         mesh_.lookupObject<pimpleControl>("solutionControl");
 
     if (pimple.corrPISO() == pimple.nCorrPISO())
     {
-        mesh_.lookupObjectRef<couplingSession>(sessionName_).endCorrector();
+        session.endCorrector();
     }
 }
 

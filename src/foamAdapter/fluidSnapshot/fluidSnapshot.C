@@ -10,6 +10,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "fluidSnapshot.H"
+#include "keepRates.H"
 #include "pointFields.H"
 #include "surfaceFields.H"
 #include "volFields.H"
@@ -24,14 +25,17 @@ void Foam::fluidSnapshot::save
 {
     for (const word& name : mesh_.sortedNames<GeoField>())
     {
-        // Old times are saved with their field
-        if (!name.ends_with("_0"))
+        // Old times are saved with their field. Those of a rate are there for
+        // its time index, by which the repeated step evaluates it again
+        const bool isRate = keepRates::isRate(name);
+        if (isRate || !name.ends_with("_0"))
         {
             saved.emplace_back
             (
                 new savedFieldOf<GeoField>
                 (
-                    mesh_.lookupObjectRef<GeoField>(name)
+                    mesh_.lookupObjectRef<GeoField>(name),
+                    !isRate
                 )
             );
         }
