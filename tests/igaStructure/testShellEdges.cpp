@@ -219,6 +219,27 @@ TEST(ShellEdges, method_that_is_not_chosen_is_the_best_that_is_possible) {
     EXPECT_EQ(plates.chosenEdgeMethod(), EdgeMethod::penalty);
 }
 
+TEST(ShellEdges, springs_build_a_tangent_only_when_asked_and_the_same_forces_without) {
+    for (const EdgeMethod method : methods) {
+        for (const Strains strains : {Strains::linear, Strains::nonlinear}) {
+            if (method == EdgeMethod::nitsche && strains == Strains::nonlinear) {
+                continue;
+            }
+            const Shell shell(twoPlates(0.5, strains, method));
+            const Eigen::VectorXd d = 0.01 * Eigen::VectorXd::Random(shell.nUnknowns());
+            ASSERT_FALSE(shell.constraints().springs.empty());
+            for (const auto& spring : shell.constraints().springs) {
+                const EdgeSpring::Answer whole = spring->answer(d, strains, true);
+                const EdgeSpring::Answer forces = spring->answer(d, strains, false);
+                EXPECT_EQ(whole.tangent.rows(), whole.force.size());
+                EXPECT_EQ(forces.tangent.size(), 0);
+                EXPECT_EQ(forces.force, whole.force);
+                EXPECT_EQ(forces.energy, whole.energy);
+            }
+        }
+    }
+}
+
 TEST(ShellEdges, nitsche_refuses_what_it_cannot_do) {
     EXPECT_THROW(Shell(twoPlates(0, Strains::nonlinear, EdgeMethod::nitsche)), InputError);
     ShellDescription plates = twoPlates(0, Strains::linear, EdgeMethod::nitsche);

@@ -50,6 +50,24 @@ class UnitTangent {
     double length_;
 };
 
+// Second derivative of t . (m x n) by both base vectors of n and t, then those of m.
+MatrixXd sineHessian(const UnitNormal& n, const UnitNormal& m, const UnitTangent& t) {
+    const Vector3d byT = m.value().cross(n.value());
+    const Vector3d byM = n.value().cross(t.value());
+    const Vector3d byN = t.value().cross(m.value());
+    const Eigen::Matrix<double, 3, 6> dn = n.derivative();
+    const Eigen::Matrix<double, 3, 6> dm = m.derivative();
+    const Eigen::Matrix<double, 3, 6> dt = t.derivative();
+    const Matrix6d tn = dt.transpose() * skew(m.value()) * dn;
+    const Matrix6d tm = -dt.transpose() * skew(n.value()) * dm;
+    const Matrix6d mn = -dm.transpose() * skew(t.value()) * dn;
+    const Matrix6d own = t.hessian(byT) + n.hessian(byN) + tn + tn.transpose();
+    const Matrix6d mixed = tm + mn.transpose();
+    MatrixXd hessian(12, 12);
+    hessian << own, mixed, mixed.transpose(), m.hessian(byM);
+    return hessian;
+}
+
 } // namespace
 
 EdgeSpring::EdgeSpring(const PatchPlace& side, const PatchPlace* other) : nodes_(side.nodes) {
@@ -82,11 +100,16 @@ DisplacementSpring::DisplacementSpring(std::vector<int> nodes, Eigen::RowVectorX
     : EdgeSpring(std::move(nodes)), components_(components), stiffness_(stiffness),
       row_(std::move(weights)) {}
 
-EdgeSpring::Answer DisplacementSpring::answer(const VectorXd& displacement, Strains) const {
+EdgeSpring::Answer DisplacementSpring::answer(const VectorXd& displacement, Strains,
+                                              bool withTangent) const {
     const MatrixXd rows = restRows();
     const VectorXd held = rows * gathered(displacement);
     const MatrixXd stiff = stiffness_ * rows;
-    return {stiff.transpose() * held, rows.transpose() * stiff, 0.5 * held.dot(stiffness_ * held)};
+    Answer answer{stiff.transpose() * held, {}, 0.5 * held.dot(stiffness_ * held)};
+    if (withTangent) {
+        answer.tangent = rows.transpose() * stiff;
+    }
+    return answer;
 }
 
 MatrixXd DisplacementSpring::restRows() const {
@@ -119,7 +142,7 @@ RotationSpring::RotationSpring(const PatchPlace& side, const PatchPlace* other, 
             }
         }
     }
-    atRest_ = measures(current(VectorXd()));
+    atRest_ = measures(current(VectorXd()), false);
 }
 
 RotationSpring::BaseVectors RotationSpring::current(const VectorXd& displacement) const {
@@ -135,67 +158,70 @@ RotationSpring::BaseVectors RotationSpring::current(const VectorXd& displacement
     return a;
 }
 
-std::vector<RotationSpring::Measure> RotationSpring::measures(const BaseVectors& a) const {
+std::vector<RotationSpring::Measure> RotationSpring::measures(const BaseVectors& a,
+                                                              bool withHessian) const {
     const UnitNormal n(a[0].col(0), a[0].col(1));
     if (places_.size() == 1) {
-        return {{n.value().dot(conormal_), n.gradient(conormal_), n.hessian(conormal_)}};
+        Measure alone{n.value().dot(conormal_), n.gradient(conormal_), {}};
+        if (withHessian) {
+            alone.hessian = n.hessian(conormal_);
+        }
+        return {std::move(alone)};
     }
     const UnitNormal m(a[1].col(0), a[1].col(1));
     const UnitTangent t(a[0], places_[0].tangent);
-    const Eigen::Matrix<double, 3, 6> dn = n.derivative();
-    const Eigen::Matrix<double, 3, 6> dm = m.derivative();
-    const Eigen::Matrix<double, 3, 6> dt = t.derivative();
-
-    Measure cosine{n.value().dot(m.value()), VectorXd(12), MatrixXd(12, 12)};
+    Measure cosine{n.value().dot(m.value()), VectorXd(12), {}};
     cosine.gradient << n.gradient(m.value()), m.gradient(n.value());
-    cosine.hessian << n.hessian(m.value()), dn.transpose() * dm, dm.transpose() * dn,
-        m.hessian(n.value());
-
     // t . (m x n), the sine of the angle between the normals.
     const Vector3d byT = m.value().cross(n.value());
-    const Vector3d byM = n.value().cross(t.value());
-    const Vector3d byN = t.value().cross(m.value());
-    Measure sine{t.value().dot(byT), VectorXd(12), MatrixXd(12, 12)};
-    sine.gradient << dt.transpose() * byT + n.gradient(byN), m.gradient(byM);
-    const Matrix6d tn = dt.transpose() * skew(m.value()) * dn;
-    const Matrix6d tm = -dt.transpose() * skew(n.value()) * dm;
-    const Matrix6d mn = -dm.transpose() * skew(t.value()) * dn;
-    const Matrix6d own = t.hessian(byT) + n.hessian(byN) + tn + tn.transpose();
-    const Matrix6d mixed = tm + mn.transpose();
-    sine.hessian << own, mixed, mixed.transpose(), m.hessian(byM);
-    return {cosine, sine};
+    Measure sine{t.value().dot(byT), VectorXd(12), {}};
+    sine.gradient << t.derivative().transpose() * byT + n.gradient(t.value().cross(m.value())),
+        m.gradient(n.value().cross(t.value()));
+    if (withHessian) {
+        const Matrix6d nm = n.derivative().transpose() * m.derivative();
+        cosine.hessian.resize(12, 12);
+        cosine.hessian << n.hessian(m.value()), nm, nm.transpose(), m.hessian(n.value());
+        sine.hessian = sineHessian(n, m, t);
+    }
+    return {std::move(cosine), std::move(sine)};
 }
 
-std::vector<RotationSpring::Measure> RotationSpring::changes(const VectorXd& displacement,
-                                                             Strains strains) const {
-    std::vector<Measure> found = atRest_;
+std::vector<RotationSpring::Measure>
+RotationSpring::changes(const VectorXd& displacement, Strains strains, bool withHessian) const {
     if (strains == Strains::linear) {
+        std::vector<Measure> found = atRest_;
         const VectorXd change = rows_ * gathered(displacement);
         for (Measure& measure : found) {
             measure.value = measure.gradient.dot(change);
-            measure.hessian.setZero();
         }
         return found;
     }
-    found = measures(current(displacement));
+    std::vector<Measure> found = measures(current(displacement), withHessian);
     for (std::size_t k = 0; k < found.size(); ++k) {
         found[k].value -= atRest_[k].value;
     }
     return found;
 }
 
-EdgeSpring::Answer RotationSpring::answer(const VectorXd& displacement, Strains strains) const {
+EdgeSpring::Answer RotationSpring::answer(const VectorXd& displacement, Strains strains,
+                                          bool withTangent) const {
     Answer answer;
     VectorXd gradient = VectorXd::Zero(rows_.rows());
     MatrixXd hessian = MatrixXd::Zero(rows_.rows(), rows_.rows());
-    for (const Measure& measure : changes(displacement, strains)) {
+    for (const Measure& measure : changes(displacement, strains, withTangent)) {
         gradient += stiffness_ * measure.value * measure.gradient;
-        hessian += stiffness_ * (measure.gradient * measure.gradient.transpose() +
-                                 measure.value * measure.hessian);
         answer.energy += 0.5 * stiffness_ * measure.value * measure.value;
+        if (withTangent) {
+            hessian += stiffness_ * measure.gradient * measure.gradient.transpose();
+        }
+        if (measure.hessian.size() > 0) {
+            hessian += stiffness_ * measure.value * measure.hessian;
+        }
     }
     answer.force = rows_.transpose() * gradient;
-    answer.tangent = rows_.transpose() * hessian * rows_;
+    if (withTangent) {
+        answer.tangent = rows_.transpose() * hessian * rows_;
+    }
     return answer;
 }
 

@@ -13,7 +13,7 @@ class EdgeSpring {
     /// What it adds to an element of its nodes.
     struct Answer {
         Eigen::VectorXd force;   ///< component c of node k is number 3 k + c
-        Eigen::MatrixXd tangent; ///< symmetric
+        Eigen::MatrixXd tangent; ///< symmetric; empty: not asked for
         double energy = 0;
     };
 
@@ -23,7 +23,8 @@ class EdgeSpring {
     const std::vector<int>& nodes() const { return nodes_; }
 
     /// @param displacement  of all nodes of the shell
-    virtual Answer answer(const Eigen::VectorXd& displacement, Strains strains) const = 0;
+    virtual Answer answer(const Eigen::VectorXd& displacement, Strains strains,
+                          bool withTangent) const = 0;
 
     /// Derivative of what is held by the displacement of the nodes at rest: a row
     /// each.
@@ -52,7 +53,8 @@ class DisplacementSpring : public EdgeSpring {
     DisplacementSpring(std::vector<int> nodes, Eigen::RowVectorXd weights,
                        const std::array<bool, 3>& components, const Eigen::Matrix3d& stiffness);
 
-    Answer answer(const Eigen::VectorXd& displacement, Strains strains) const override;
+    Answer answer(const Eigen::VectorXd& displacement, Strains strains,
+                  bool withTangent) const override;
     Eigen::MatrixXd restRows() const override;
 
   private:
@@ -69,23 +71,25 @@ class RotationSpring : public EdgeSpring {
     /// @param stiffness  energy is stiffness/2 times angle squared, if small [N m]
     RotationSpring(const PatchPlace& side, const PatchPlace* other, double stiffness);
 
-    Answer answer(const Eigen::VectorXd& displacement, Strains strains) const override;
+    Answer answer(const Eigen::VectorXd& displacement, Strains strains,
+                  bool withTangent) const override;
     Eigen::MatrixXd restRows() const override;
 
     /// What is held, as a function of the base vectors of one or both places.
     struct Measure {
         double value;
         Eigen::VectorXd gradient;
-        Eigen::MatrixXd hessian;
+        Eigen::MatrixXd hessian; ///< empty: none, or not asked for
     };
     /// One or two; the values are their changes since rest.
-    std::vector<Measure> changes(const Eigen::VectorXd& displacement, Strains strains) const;
+    std::vector<Measure> changes(const Eigen::VectorXd& displacement, Strains strains,
+                                 bool withHessian) const;
     /// Base vectors' change by the nodes' displacement.
     const Eigen::MatrixXd& baseVectorRows() const { return rows_; }
 
   private:
     using BaseVectors = std::vector<Eigen::Matrix<double, 3, 2>>;
-    std::vector<Measure> measures(const BaseVectors& a) const;
+    std::vector<Measure> measures(const BaseVectors& a, bool withHessian) const;
     BaseVectors current(const Eigen::VectorXd& displacement) const;
 
     std::vector<PatchPlace> places_;

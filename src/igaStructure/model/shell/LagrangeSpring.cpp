@@ -121,13 +121,15 @@ class RotationMoment : public EdgeSpring {
         nodes_ = nodes.nodes();
     }
 
-    Answer answer(const VectorXd& displacement, Strains strains) const override {
+    Answer answer(const VectorXd& displacement, Strains strains, bool withTangent) const override {
         const Moments moments = momentsAt(displacement, strains);
         Answer answer;
         answer.force = stiffness_ * moments.rows.transpose() * moments.values;
-        answer.tangent = stiffness_ * moments.rows.transpose() * moments.rows;
         answer.energy = 0.5 * stiffness_ * moments.values.squaredNorm();
-        if (strains == Strains::nonlinear) {
+        if (withTangent) {
+            answer.tangent = stiffness_ * moments.rows.transpose() * moments.rows;
+        }
+        if (withTangent && strains == Strains::nonlinear) {
             addCurvature(displacement, moments.values, answer.tangent);
         }
         return answer;
@@ -153,7 +155,7 @@ class RotationMoment : public EdgeSpring {
     Moments momentsAt(const VectorXd& displacement, Strains strains) const {
         Moments moments;
         for (const Term& term : terms_) {
-            const auto changes = term.measure.changes(displacement, strains);
+            const auto changes = term.measure.changes(displacement, strains, false);
             const auto n = static_cast<Eigen::Index>(changes.size());
             if (moments.values.size() == 0) {
                 moments = {VectorXd::Zero(n), MatrixXd::Zero(n, 3 * nodes_.size())};
@@ -172,7 +174,7 @@ class RotationMoment : public EdgeSpring {
     void addCurvature(const VectorXd& displacement, const VectorXd& values,
                       MatrixXd& tangent) const {
         for (const Term& term : terms_) {
-            const auto changes = term.measure.changes(displacement, Strains::nonlinear);
+            const auto changes = term.measure.changes(displacement, Strains::nonlinear, true);
             const MatrixXd& rows = term.measure.baseVectorRows();
             MatrixXd hessian = MatrixXd::Zero(rows.rows(), rows.rows());
             for (std::size_t k = 0; k < changes.size(); ++k) {

@@ -22,14 +22,21 @@ NitscheSpring::NitscheSpring(std::vector<int> nodes, MatrixXd held, MatrixXd tra
     : EdgeSpring(std::move(nodes)), held_(std::move(held)), traction_(std::move(traction)),
       stabilisation_(std::move(stabilisation)) {}
 
-EdgeSpring::Answer NitscheSpring::answer(const VectorXd& displacement, Strains) const {
+EdgeSpring::Answer NitscheSpring::answer(const VectorXd& displacement, Strains,
+                                         bool withTangent) const {
     const VectorXd u = gathered(displacement);
     const VectorXd held = held_ * u;
-    const VectorXd answer = stabilisation_ * held - traction_ * u;
-    // held^T (stabilisation / 2 held - traction), made symmetric.
-    const MatrixXd half = held_.transpose() * (0.5 * stabilisation_ * held_ - traction_);
-    return {held_.transpose() * answer - traction_.transpose() * held, half + half.transpose(),
-            0.5 * held.dot(answer - traction_ * u)};
+    const VectorXd traction = traction_ * u;
+    const VectorXd spring = stabilisation_ * held - traction;
+    Answer answer{held_.transpose() * spring - traction_.transpose() * held,
+                  {},
+                  0.5 * held.dot(spring - traction)};
+    if (withTangent) {
+        // held^T (stabilisation / 2 held - traction), made symmetric.
+        const MatrixXd half = held_.transpose() * (0.5 * stabilisation_ * held_ - traction_);
+        answer.tangent = half + half.transpose();
+    }
+    return answer;
 }
 
 namespace {

@@ -21,7 +21,8 @@ class NitscheSpring : public EdgeSpring {
     NitscheSpring(std::vector<int> nodes, Eigen::MatrixXd held, Eigen::MatrixXd traction,
                   Eigen::MatrixXd stabilisation);
 
-    Answer answer(const Eigen::VectorXd& displacement, Strains strains) const override;
+    Answer answer(const Eigen::VectorXd& displacement, Strains strains,
+                  bool withTangent) const override;
     Eigen::MatrixXd restRows() const override { return held_; }
 
   private:

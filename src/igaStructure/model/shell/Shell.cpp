@@ -237,7 +237,8 @@ void Shell::visitElement(ShellElement& element, int row, const VectorXd& displac
 void Shell::addSprings(const VectorXd& displacement, SparseMatrix* tangent, VectorXd& force,
                        double& energy) const {
     for (const auto& spring : constraints_.springs) {
-        const EdgeSpring::Answer answer = spring->answer(displacement, description_.strains);
+        const EdgeSpring::Answer answer =
+            spring->answer(displacement, description_.strains, tangent);
         for (std::size_t k = 0; k < spring->nodes().size(); ++k) {
             force.segment<3>(3 * spring->nodes()[k]) +=
                 answer.force.segment<3>(3 * static_cast<Eigen::Index>(k));

@@ -66,10 +66,11 @@ SliverSpring::SliverSpring(const ShellPatch& patch, int sliver, int whole, doubl
     });
 }
 
-EdgeSpring::Answer SliverSpring::answer(const VectorXd& displacement, Strains) const {
+EdgeSpring::Answer SliverSpring::answer(const VectorXd& displacement, Strains,
+                                        bool withTangent) const {
     const VectorXd u = gathered(displacement);
     const VectorXd force = stiffness_ * u;
-    return {force, stiffness_, 0.5 * u.dot(force)};
+    return {force, withTangent ? stiffness_ : MatrixXd(), 0.5 * u.dot(force)};
 }
 
 MatrixXd SliverSpring::restRows() const {

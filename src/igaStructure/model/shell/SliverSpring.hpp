@@ -19,7 +19,8 @@ class SliverSpring : public EdgeSpring {
     /// @param normal         the same across it
     SliverSpring(const ShellPatch& patch, int sliver, int whole, double tangential, double normal);
 
-    Answer answer(const Eigen::VectorXd& displacement, Strains strains) const override;
+    Answer answer(const Eigen::VectorXd& displacement, Strains strains,
+                  bool withTangent) const override;
     /// It holds no rigid motion.
     Eigen::MatrixXd restRows() const override;
 
