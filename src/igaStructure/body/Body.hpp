@@ -58,11 +58,14 @@ class Body {
     };
     virtual Closest closest(const geometry::Point& point) const = 0;
 
-    /// Mass on a square metre of a fluid's interface; 0 if there is no such number.
-    virtual double massPerWetArea() const { return 0; }
+    /// Mass on a square metre of a fluid's interface [kg/m^2].
+    virtual double massPerWetArea() const = 0;
+
+    /// Least of a thin body, mean of another [m].
+    virtual double thickness() const = 0;
 
     /// What in the choice of this kinematics may matter, with its estimate.
-    virtual std::vector<std::string> advice() const { return {}; }
+    virtual std::vector<std::string> advice() const = 0;
 
     /// @param points  of the fluid's interface, nPoints x 3 [m]
     /// @throws InputError if the two sides do not fit: names, gaps

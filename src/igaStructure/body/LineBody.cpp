@@ -1,6 +1,7 @@
 #include "igaStructure/body/LineBody.hpp"
 
 #include "igaStructure/body/LineTransfer.hpp"
+#include "igaStructure/body/thinness.hpp"
 #include "igaStructure/model/planeVectors.hpp"
 #include "igaStructure/output/curveMesh.hpp"
 
@@ -188,16 +189,27 @@ Body::Closest LineBody::closest(const geometry::Point& point) const {
 }
 
 std::vector<std::string> LineBody::advice() const {
-    if (!line_.section().bends()) {
-        return {};
+    const LineSection& section = line_.section();
+    const double share = section.thickness / line_.length();
+    if (!section.bends()) {
+        return {fmt::format(
+            "slenderness (length over thickness) {:.3g}{}", 1 / share,
+            leftOutBending(section.thickness, section.axialStiffness, section.prestress))};
     }
-    const double share = line_.section().thickness / line_.length();
     // Of the deflection of a cantilever under end load: 3 E I / (k G A L^2) with
     // k = 5/6 and Poisson's ratio 0.3.
     const double shear = 0.78 * share * share;
-    return {fmt::format("slenderness (length over thickness) {:.3g}: shear deformation, which a "
-                        "beam leaves out, would add about {:.2g} % to a cantilever's deflection{}",
-                        1 / share, 100 * shear, shear > 0.02 ? "; a plane solid models it" : "")};
+    std::vector<std::string> lines = {
+        fmt::format("slenderness (length over thickness) {:.3g}: shear deformation, which a "
+                    "beam leaves out, would add about {:.2g} % to a cantilever's deflection{}",
+                    1 / share, 100 * shear, shear > 0.02 ? "; a plane solid models it" : "")};
+    const double bend = section.thickness * largestCurvature(line_.curve());
+    if (bend > 1e-6) {
+        lines.push_back(fmt::format("thickness over radius of curvature {:.3g}, terms of which "
+                                    "order a beam leaves out{}",
+                                    bend, bend > 0.1 ? "; a plane solid models them" : ""));
+    }
+    return lines;
 }
 
 std::unique_ptr<InterfaceTransfer> LineBody::transfer(const Coupling& coupling,

@@ -33,7 +33,7 @@ class LineBody : public Body {
                           const std::vector<Place>& places) const override;
     Closest closest(const geometry::Point& point) const override;
     double massPerWetArea() const override { return line_.section().mass / line_.section().width; }
-    /// On the slenderness.
+    double thickness() const override { return line_.section().thickness; }
     std::vector<std::string> advice() const override;
     std::unique_ptr<InterfaceTransfer> transfer(const Coupling& coupling,
                                                 const geometry::Points& points) const override;

@@ -97,6 +97,14 @@ double PlaneBody::massPerWetArea() const {
     return alongX.dot(solid_.massMatrix() * alongX) / (solid_.size() * solid_.material().thickness);
 }
 
+std::vector<std::string> PlaneBody::advice() const {
+    const double slenderness = solid_.size() / thickness();
+    constexpr double slender = 20; // shear then adds less than a percent
+    return {fmt::format(
+        "slenderness (size over mean thickness) {:.3g}{}", slenderness,
+        slenderness > slender ? ": a beam has the same motion with far fewer unknowns" : "")};
+}
+
 std::unique_ptr<InterfaceTransfer> PlaneBody::transfer(const Coupling& coupling,
                                                        const geometry::Points& points) const {
     return std::make_unique<PlaneTransfer>(solid_, coupling, points);

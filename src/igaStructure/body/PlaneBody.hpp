@@ -28,6 +28,8 @@ class PlaneBody : public Body {
     Closest closest(const geometry::Point& point) const override;
     /// Of the whole body, over its largest extent.
     double massPerWetArea() const override;
+    double thickness() const override { return massPerWetArea() / solid_.material().density; }
+    std::vector<std::string> advice() const override;
     std::unique_ptr<InterfaceTransfer> transfer(const Coupling& coupling,
                                                 const geometry::Points& points) const override;
 

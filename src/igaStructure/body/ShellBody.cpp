@@ -2,6 +2,7 @@
 
 #include "geometry/patchTriangles.hpp"
 #include "igaStructure/body/ShellTransfer.hpp"
+#include "igaStructure/body/thinness.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -170,24 +171,48 @@ Body::Closest ShellBody::closest(const geometry::Point& point) const {
     return {place, (positions({place}).col(0) - point).norm()};
 }
 
-double ShellBody::massPerWetArea() const {
+double ShellBody::thickness() const {
     const std::vector<double>& thickness = shell_.description().thickness;
-    return shell_.description().material.density *
-           *std::min_element(thickness.begin(), thickness.end());
+    return *std::min_element(thickness.begin(), thickness.end());
+}
+
+double ShellBody::massPerWetArea() const {
+    return shell_.description().material.density * thickness();
+}
+
+// Over all faces, of thickness over radius of curvature.
+double ShellBody::largestThicknessOverRadius() const {
+    double largest = 0;
+    for (std::size_t face = 0; face < shell_.patches().size(); ++face) {
+        largest = std::max(largest, shell_.description().thickness[face] *
+                                        largestCurvature(shell_.patches()[face]->surface()));
+    }
+    return largest;
 }
 
 std::vector<std::string> ShellBody::advice() const {
-    const std::vector<double>& thickness = shell_.description().thickness;
-    const double slenderness =
-        shell_.size() / *std::max_element(thickness.begin(), thickness.end());
-    if (!shell_.description().bending) {
-        return {};
+    const ShellDescription& all = shell_.description();
+    const double thickest = *std::max_element(all.thickness.begin(), all.thickness.end());
+    const double slenderness = shell_.size() / thickest;
+    if (!all.bending) {
+        const double stiffness =
+            all.material.youngsModulus / (1 - std::pow(all.material.poissonsRatio, 2));
+        return {fmt::format("slenderness (size over thickness) {:.3g}{}", slenderness,
+                            leftOutBending(thickest, stiffness, all.prestress.maxCoeff()))};
     }
     constexpr double least = 10; // shear adds about a percent to a plate's deflection
-    return {fmt::format("slenderness (size over thickness) {:.3g}{}", slenderness,
-                        slenderness < least ? ": shear deformation, which a Kirchhoff-Love shell "
-                                              "leaves out, is not small"
-                                            : ": in the range of a Kirchhoff-Love shell")};
+    std::vector<std::string> lines = {
+        fmt::format("slenderness (size over thickness) {:.3g}{}", slenderness,
+                    slenderness < least ? ": shear deformation, which a Kirchhoff-Love shell "
+                                          "leaves out, is not small"
+                                        : ": in the range of a Kirchhoff-Love shell")};
+    constexpr double thick = 0.1;
+    if (const double share = largestThicknessOverRadius(); share > 1e-6) {
+        lines.push_back(fmt::format("thickness over radius of curvature {:.3g}, terms of which "
+                                    "order a shell leaves out{}",
+                                    share, share > thick ? "; a solid models them" : ""));
+    }
+    return lines;
 }
 
 std::unique_ptr<InterfaceTransfer> ShellBody::transfer(const Coupling& coupling,

@@ -29,11 +29,14 @@ class ShellBody : public Body {
                           const std::vector<Place>& places) const override;
     Closest closest(const geometry::Point& point) const override;
     double massPerWetArea() const override;
+    double thickness() const override;
     std::vector<std::string> advice() const override;
     std::unique_ptr<InterfaceTransfer> transfer(const Coupling& coupling,
                                                 const geometry::Points& points) const override;
 
   private:
+    double largestThicknessOverRadius() const;
+
     Shell shell_;
     geometry::ModelProjector projector_;
 };

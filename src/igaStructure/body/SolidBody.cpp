@@ -141,8 +141,7 @@ double SolidBody::massPerWetArea() const {
 }
 
 std::vector<std::string> SolidBody::advice() const {
-    const double thickness = massPerWetArea() / solid_.material().density;
-    const double slenderness = solid_.size() / thickness;
+    const double slenderness = solid_.size() / thickness();
     constexpr double slender = 20; // shear then adds less than a percent
     return {fmt::format("slenderness (size over volume by half the surface) {:.3g}{}", slenderness,
                         slenderness > slender

@@ -28,6 +28,7 @@ class SolidBody : public Body {
     Closest closest(const geometry::Point& point) const override;
     /// Of the whole body, over half its surface: of a slender one, its section's.
     double massPerWetArea() const override;
+    double thickness() const override { return massPerWetArea() / solid_.material().density; }
     std::vector<std::string> advice() const override;
     std::unique_ptr<InterfaceTransfer> transfer(const Coupling& coupling,
                                                 const geometry::Points& points) const override;

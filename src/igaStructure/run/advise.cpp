@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace tokay::structure {
@@ -19,22 +20,66 @@ namespace {
 constexpr double fewSteps = 18;
 // Linear kinematics stretch a turning body by half the square of the angle.
 constexpr double largeDisplacement = 0.05;
+// In thicknesses. A plate whose edges cannot move in its plane is stiffer than
+// linear strains say by the order of the square.
+constexpr double largeDeflection = 0.5;
 
-std::string adviseStep(const Case& structureCase, const NaturalModes& modes) {
-    const double omega = modes.angularFrequencies[0];
-    if (!(omega > 0)) {
+// Of the lowest modes, ascending: three of them, fewer if the structure has fewer [rad/s].
+VectorXd lowestFrequencies(const StructuralModel& model) {
+    const std::vector<bool>& fixed = model.fixed();
+    const auto nFree = std::count(fixed.begin(), fixed.end(), false);
+    if (nFree == 0) {
+        return {};
+    }
+    if (nFree > 1) { // an iteration finds fewer modes than unknowns
+        const auto count = static_cast<int>(std::min<std::ptrdiff_t>(3, nFree - 1));
+        return naturalModes(model, count).angularFrequencies;
+    }
+    const auto k = std::find(fixed.begin(), fixed.end(), false) - fixed.begin();
+    SparseMatrix stiffness;
+    model.internalForce(VectorXd::Zero(model.nUnknowns()), stiffness);
+    const double square = stiffness.coeff(k, k) / model.massMatrix().coeff(k, k);
+    return VectorXd::Constant(1, std::sqrt(std::max(0.0, square)));
+}
+
+template <class Function>
+std::string listOf(const VectorXd& values, Function number) {
+    std::vector<std::string> words;
+    for (const double value : values) {
+        words.push_back(number(value));
+    }
+    return fmt::format("{}", fmt::join(words, ", "));
+}
+
+std::string adviseStep(const Case& structureCase, const VectorXd& frequencies) {
+    if (frequencies.size() == 0 || !(frequencies[0] > 0)) {
         return "";
     }
-    const double period = 2 * M_PI / omega;
-    std::string text = fmt::format("advice: the first natural period is {:.4g} s", period);
-    if (!structureCase.timeSteps || !structureCase.timeScheme.dynamic) {
-        return text + fmt::format("; a dynamic run resolves it with steps below {:.2g} s\n",
-                                  period / fewSteps);
+    const VectorXd periods = 2 * M_PI * frequencies.cwiseInverse();
+    std::string text =
+        fmt::format("advice: the lowest natural periods are {}",
+                    listOf(periods, [](double T) { return fmt::format("{:.4g} s", T); }));
+    if (!structureCase.timeSteps || !structureCase.timeScheme.dynamic ||
+        structureCase.timeSteps->isExplicit) {
+        return text + fmt::format("; a dynamic run resolves them with steps below {}\n",
+                                  listOf(periods / fewSteps,
+                                         [](double dt) { return fmt::format("{:.2g} s", dt); }));
     }
-    const double n = period / structureCase.timeSteps->step;
-    text += fmt::format(", {:.3g} time steps; the trapezoidal rule makes it longer by {:.2g} %", n,
-                        100 * std::pow(2 * M_PI / n, 2) / 12);
-    return text + (n < fewSteps ? "; the step is too large for it\n" : "\n");
+    const VectorXd steps = periods / structureCase.timeSteps->step;
+    const auto longer = [](double n) {
+        const double percent = 100 * std::pow(2 * M_PI / n, 2) / 12;
+        return percent < 99.5 ? fmt::format("{:.2g} %", percent) : fmt::format("{:.0f} %", percent);
+    };
+    text += fmt::format(": {} time steps; the trapezoidal rule makes them longer by {}",
+                        listOf(steps, [](double n) { return fmt::format("{:.3g}", n); }),
+                        listOf(steps, longer));
+    if (steps[0] < fewSteps) {
+        text += "; the step is too large even for the first";
+    } else if (const double last = periods[periods.size() - 1] / fewSteps;
+               last < structureCase.timeSteps->step) {
+        text += fmt::format("; steps below {:.2g} s resolve all of them", last);
+    }
+    return text + "\n";
 }
 
 // Displacement under the loads at the end of the run, by one linear solution.
@@ -49,36 +94,71 @@ double staticEstimate(const Case& structureCase, StructuralModel& model) {
     return solver.solve(force).lpNorm<Eigen::Infinity>();
 }
 
-std::string adviseStrains(const Case& structureCase, StructuralModel& model) {
-    const double displacement = staticEstimate(structureCase, model);
+std::string adviseStrains(const Case& structureCase, Body& body) {
+    const StructuralModel& model = body.model();
+    const double displacement = staticEstimate(structureCase, body.model());
     if (displacement == 0) {
         return "";
     }
     const double share = displacement / model.size();
+    const double deflection = displacement / body.thickness();
     std::string text = fmt::format("advice: a first static estimate (linear, loads at the end) "
-                                   "moves the structure by {:.3g} m, {:.2g} % of its size",
-                                   displacement, 100 * share);
+                                   "moves the structure by {:.3g} m, {:.2g} % of its size and "
+                                   "{:.2g} times its thickness",
+                                   displacement, 100 * share, deflection);
     if (model.isLinear() && share > largeDisplacement) {
         text += "; strains should be nonlinear";
+    } else if (model.isLinear() && deflection > largeDeflection) {
+        text += "; strains should be nonlinear if ends or edges are held along the body, which "
+                "then stretches as it bends";
     }
-    if (!model.isLinear() && share < 0.01 * largeDisplacement) {
+    if (!model.isLinear() && share < 0.01 * largeDisplacement &&
+        deflection < 0.1 * largeDeflection) {
         text += "; linear strains would do";
     }
     return text + "\n";
 }
 
-// A half wave of the structure's size moves, on each side, the fluid in a layer
-// of size / pi.
-std::string adviseCoupling(const Case& structureCase, const Body& body) {
-    const double mass = body.massPerWetArea();
-    if (!structureCase.coupling || mass == 0) {
+// What a structure's mass and stiffness make of a fluid's added mass.
+std::string adviseCoupling(const Case& structureCase, const Body& body,
+                           const VectorXd& frequencies) {
+    if (!structureCase.coupling) {
         return "";
     }
-    const double density = mass * M_PI / (2 * body.model().size());
-    return fmt::format("advice: the structure has {:.4g} kg on a square metre of interface; a "
-                       "fluid of {:.3g} kg/m^3 on both sides adds as much to its slowest motion: "
-                       "explicit coupling needs a fluid much lighter than that\n",
-                       mass, density);
+    const double mass = body.massPerWetArea();
+    const bool isStiff = frequencies.size() > 0 && frequencies[0] > 0;
+    const double stiffness = isStiff ? mass * frequencies[0] * frequencies[0] : 0;
+    // A half wave of the structure's size moves, on each side, the fluid in a layer
+    // of size / pi.
+    const double layers = 2 * body.model().size() / M_PI;
+    std::string text = fmt::format("advice: the structure has {:.4g} kg on a square metre of "
+                                   "interface",
+                                   mass);
+    if (isStiff) {
+        text += fmt::format(", and in its slowest motion a stiffness of {:.4g} Pa/m", stiffness);
+    }
+    const TimeScheme& scheme = structureCase.timeScheme;
+    if (!scheme.dynamic) {
+        // A force proportional to the acceleration, as differences of displacements see it.
+        constexpr double water = 1000;
+        return !isStiff ? ""
+                        : text + fmt::format("; without its mass, water (1000 kg/m^3) on both "
+                                             "sides resists as much in time steps of {:.2g} s: "
+                                             "explicit coupling needs much larger ones\n",
+                                             std::sqrt(layers * water / stiffness));
+    }
+    double resistance = mass;
+    if (isStiff && structureCase.timeSteps) {
+        const double step = structureCase.timeSteps->step;
+        const double ofStiffness = scheme.beta * step * step * stiffness;
+        resistance += ofStiffness;
+        text += fmt::format(", which in a time step of {:g} s resists as {:.2g} kg/m^2 do", step,
+                            ofStiffness);
+    }
+    return text + fmt::format("; a fluid of {:.3g} kg/m^3 on both sides adds as much to its "
+                              "slowest motion: explicit coupling needs a fluid much lighter than "
+                              "that\n",
+                              resistance / layers);
 }
 
 } // namespace
@@ -88,17 +168,17 @@ std::string advise(const Case& structureCase, Body& body) {
     for (const std::string& line : body.advice()) {
         text += "advice: " + line + "\n";
     }
-    text += adviseCoupling(structureCase, body);
-    if (!body.model().freeRigidMotions().empty()) {
-        return text;
+    VectorXd frequencies;
+    if (body.model().freeRigidMotions().empty()) {
+        try {
+            text += adviseStrains(structureCase, body);
+            frequencies = lowestFrequencies(body.model());
+            text += adviseStep(structureCase, frequencies);
+        } catch (const SolverError& error) {
+            text += fmt::format("advice: no estimate of stiffness: {}\n", error.what());
+        }
     }
-    try {
-        text += adviseStrains(structureCase, body.model());
-        text += adviseStep(structureCase, naturalModes(body.model(), 1));
-    } catch (const SolverError& error) {
-        text += fmt::format("advice: no estimate of stiffness: {}\n", error.what());
-    }
-    return text;
+    return text + adviseCoupling(structureCase, body, frequencies);
 }
 
 } // namespace tokay::structure
