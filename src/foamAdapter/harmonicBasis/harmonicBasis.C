@@ -143,11 +143,7 @@ Foam::scalar Foam::harmonicBasis::fit()
 {
     const vectorField displacement(boundary_.displacement());
     coefficients_ = functions_.coefficients(displacement);
-    return returnReduce
-    (
-        functions_.residual(displacement, coefficients_),
-        maxOp<scalar>()
-    );
+    return functions_.residual(displacement, coefficients_);
 }
 
 

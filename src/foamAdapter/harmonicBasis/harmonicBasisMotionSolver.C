@@ -38,6 +38,17 @@ namespace Foam
 }
 
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Of the lowest cell's height: what as many functions as places miss
+constexpr scalar roundOff = 1e-6;
+
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 const Foam::dictionary& Foam::harmonicBasisMotionSolver::checkedCoeffs() const
@@ -120,6 +131,51 @@ Foam::string Foam::harmonicBasisMotionSolver::build(const label n)
 }
 
 
+Foam::string Foam::harmonicBasisMotionSolver::addFunctions
+(
+    scalar missed,
+    const scalar allowed
+)
+{
+    const pointField places(boundary_.places(points0()));
+    const vectorField displacement(boundary_.displacement());
+    label n = basis_->size();
+    bool isComplete = basis_->isComplete();
+    while
+    (
+        missed > allowed
+     && !(isComplete && missed <= roundOff*basis_->cellHeight())
+    )
+    {
+        OStringStream misses;
+        misses
+            << n << " functions miss the boundary's motion by " << missed
+            << " m, 'fitLimit' allows " << allowed << " m, and ";
+        const string reason
+        (
+            isComplete
+          ? string("there are no more places on the boundary")
+          : excess(2*n)
+        );
+        if (!reason.empty())
+        {
+            return misses.str() + reason;
+        }
+        const interfaceFunctions more(places, 2*n);
+        missed = more.residual(displacement, more.coefficients(displacement));
+        n = more.size();
+        isComplete = more.isComplete();
+    }
+    if (n == basis_->size())
+    {
+        return string();
+    }
+    const string reason(build(n));
+    basis_->fit();
+    return reason;
+}
+
+
 Foam::string Foam::harmonicBasisMotionSolver::follow()
 {
     string reason(boundary_.obstacle());
@@ -127,29 +183,13 @@ Foam::string Foam::harmonicBasisMotionSolver::follow()
     {
         reason = build(nFunctions_);
     }
-    while (reason.empty())
+    if (reason.empty())
     {
         const scalar missed = basis_->fit();
         const scalar allowed = fitLimit_*basis_->cellHeight();
-        if (missed <= allowed)
+        if (missed > allowed)
         {
-            break;
-        }
-        OStringStream misses;
-        misses
-            << nFunctions_ << " functions miss the boundary's motion by "
-            << missed << " m, 'fitLimit' allows " << allowed << " m, and ";
-        if (basis_->isComplete())
-        {
-            reason = misses.str() + "there are no more places on the boundary";
-        }
-        else
-        {
-            reason = build(2*nFunctions_);
-            if (!reason.empty())
-            {
-                reason = misses.str() + reason;
-            }
+            reason = addFunctions(missed, allowed);
         }
     }
     return reason;

@@ -216,7 +216,7 @@ Foam::scalar Foam::interfaceFunctions::residual
             rest[i] -= values_[function][i]*coefficients[function];
         }
     }
-    return rest.empty() ? 0 : max(mag(rest));
+    return gMax(mag(rest)());
 }
 
 
