@@ -1,0 +1,236 @@
+/*---------------------------------------------------------------------------*\
+    Tokay: OpenFOAM coupled to an isogeometric structure
+-------------------------------------------------------------------------------
+License
+    This file is part of Tokay, which is free software: you can redistribute
+    it and/or modify it under the terms of the GNU General Public License as
+    published by the Free Software Foundation, either version 3 of the
+    License, or (at your option) any later version. See the file LICENSE.
+
+Application
+    swingMesh
+
+Description
+    Moves the mesh around a flag that swings with growing amplitude, by the
+    case's motion solver, until the mesh fails. Prints for each amplitude the
+    largest non-orthogonality within the swing, the smallest ratio of a cell's
+    volume to that at rest, and the processor time of a move: of the points'
+    new places, and of what the mesh does with them (volumes swept, and all
+    geometry that an equation asks for). Of the times it prints the median,
+    which leaves out the moves that build something, and of the points' the
+    longest too.
+
+    Entries of system/swingMeshDict: those of bentAxis; patch; amplitudes [m];
+    stepsASwing; movesAStep, all to the same place, as a coupled step has them;
+    reference, which is 0: the motion of the tip [m] at which the mesh is made
+    the motion's reference.
+
+\*---------------------------------------------------------------------------*/
+
+#include "argList.H"
+#include "bentAxis.H"
+#include "displacementMotionSolver.H"
+#include "fixedValuePointPatchFields.H"
+#include "fvMesh.H"
+#include "mathematicalConstants.H"
+#include "motionSolver.H"
+#include "pointFields.H"
+#include "primitiveMeshTools.H"
+#include "surfaceFields.H"
+#include "Time.H"
+#include "unitConversion.H"
+#include "volFields.H"
+
+#include <algorithm>
+#include <ctime>
+#include <vector>
+
+using namespace Foam;
+
+//- Processor time of this process [ms]
+static scalar processorTime()
+{
+    timespec now;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return 1e3*now.tv_sec + 1e-6*now.tv_nsec;
+}
+
+
+static scalar median(std::vector<scalar> values)
+{
+    const auto middle = values.begin() + values.size()/2;
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+
+//- Geometry that any equation asks for
+static void evaluateGeometry(const fvMesh& mesh)
+{
+    mesh.V();
+    mesh.Sf();
+    mesh.magSf();
+    mesh.C();
+    mesh.Cf();
+    mesh.weights();
+    mesh.deltaCoeffs();
+    mesh.nonOrthDeltaCoeffs();
+    mesh.nonOrthCorrectionVectors();
+}
+
+
+//- Between the line of two centres and the normal of their face [degrees]
+static scalar nonOrthogonality(const fvMesh& mesh)
+{
+    const scalarField cosines
+    (
+        primitiveMeshTools::faceOrthogonality
+        (
+            mesh,
+            mesh.faceAreas(),
+            mesh.cellCentres()
+        )
+    );
+    scalar smallest = 1;
+    for (label facei = 0; facei < mesh.nInternalFaces(); ++facei)
+    {
+        smallest = min(smallest, cosines[facei]);
+    }
+    return Foam::radToDeg(Foam::acos(max(scalar(-1), smallest)));
+}
+
+
+//- Values that move a patch
+static fixedValuePointPatchVectorField& displacementOf
+(
+    pointVectorField& displacement,
+    const label patchi
+)
+{
+    return refCast<fixedValuePointPatchVectorField>
+    (
+        displacement.boundaryFieldRef()[patchi]
+    );
+}
+
+
+//- The same motion solver with the mesh as it is for its reference
+static autoPtr<displacementMotionSolver> beginHere
+(
+    const fvMesh& mesh,
+    const motionSolver& solver
+)
+{
+    pointIOField points0(points0MotionSolver::points0IO(mesh));
+    static_cast<pointField&>(points0) = mesh.points();
+    pointVectorField displacement
+    (
+        mesh.lookupObject<pointVectorField>("pointDisplacement")
+    );
+    displacement == dimensionedVector(dimLength, Zero);
+    IOobject io(solver);
+    io.registerObject() = false;
+    io.readOpt() = IOobject::MUST_READ;
+    return displacementMotionSolver::New
+    (
+        solver.get<word>("solver"),
+        mesh,
+        IOdictionary(io),
+        displacement,
+        points0
+    );
+}
+
+
+int main(int argc, char *argv[])
+{
+    argList::noParallel();
+    const argList args(argc, argv);
+    Time runTime(Time::controlDictName, args);
+    runTime.setDeltaT(1);
+    runTime.setEndTime(GREAT);
+    runTime.functionObjects().off();
+    fvMesh mesh
+    (
+        IOobject
+        (
+            fvMesh::defaultRegion,
+            runTime.timeName(),
+            runTime,
+            IOobject::MUST_READ
+        )
+    );
+    autoPtr<motionSolver> motion(motionSolver::New(mesh));
+
+    const IOdictionary dict
+    (
+        IOobject("swingMeshDict", runTime.system(), mesh, IOobject::MUST_READ)
+    );
+    const bentAxis axis(dict);
+    const label patchi =
+        mesh.boundaryMesh().findPatchID(dict.get<word>("patch"));
+    const label nSteps = dict.get<label>("stepsASwing");
+    const label nMoves = dict.get<label>("movesAStep");
+    const pointField places(mesh.boundaryMesh()[patchi].localPoints());
+    fixedValuePointPatchVectorField* condition = &displacementOf
+    (
+        mesh.lookupObjectRef<pointVectorField>("pointDisplacement"),
+        patchi
+    );
+    const scalarField volumesAtRest(mesh.V().field());
+
+    const scalar reference = dict.getOrDefault<scalar>("reference", 0);
+    const vectorField atReference(axis.displacement(places, reference));
+    if (reference != 0)
+    {
+        ++runTime;
+        *condition == atReference;
+        mesh.movePoints(motion->newPoints()());
+        motion.reset(beginHere(mesh, *motion).ptr());
+        condition = &displacementOf
+        (
+            refCast<displacementMotionSolver>(*motion).pointDisplacement(),
+            patchi
+        );
+    }
+
+    for (const scalar amplitude : dict.get<scalarList>("amplitudes"))
+    {
+        std::vector<scalar> solving, moving;
+        scalar angle = 0, ratio = 1;
+        for (label step = 1; step <= nSteps && ratio > 0; ++step)
+        {
+            ++runTime;
+            const scalar phase = constant::mathematical::twoPi*step/nSteps;
+            *condition ==
+                axis.displacement(places, amplitude*Foam::sin(phase))
+              - atReference;
+            for (label move = 0; move < nMoves; ++move)
+            {
+                const scalar start = processorTime();
+                const pointField points(motion->newPoints());
+                const scalar solved = processorTime();
+                mesh.movePoints(points);
+                evaluateGeometry(mesh);
+                solving.push_back(solved - start);
+                moving.push_back(processorTime() - solved);
+            }
+            angle = max(angle, nonOrthogonality(mesh));
+            ratio = min(ratio, min(mesh.V().field()/volumesAtRest));
+        }
+        Info<< "amplitude " << amplitude << " nonOrthogonality " << angle
+            << " volumeRatio " << ratio << " places " << median(solving)
+            << " ms, mesh " << median(moving) << " ms, longest "
+            << *std::max_element(solving.begin(), solving.end()) << " ms"
+            << endl;
+        if (ratio <= 0)
+        {
+            Info<< "failed" << endl;
+            break;
+        }
+    }
+    return 0;
+}
+
+
+// ************************************************************************* //
