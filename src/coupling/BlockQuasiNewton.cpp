@@ -51,14 +51,13 @@ const Eigen::VectorXd& BlockQuasiNewton::beginTimeStep(double deltaT) {
 
 Iteration BlockQuasiNewton::iterate(const Eigen::VectorXd& forces, double fluidResidual) {
     assert(deltaT_ > 0);
-    if (!forces.allFinite() || !std::isfinite(fluidResidual)) {
+    now_ = next_;
+    const Eigen::VectorXd loads = memory_.corrected(structure_.loads(forces, now_.d));
+    if (!loads.allFinite() || !std::isfinite(fluidResidual)) {
         throw SolverError("the fluid's forces or their residual are not finite");
     }
-    now_ = next_;
-    const Eigen::VectorXd corrected = memory_.corrected(forces);
-    const Eigen::VectorXd loads = structure_.loads(corrected, now_.d);
     learn(loads, fluidResidual);
-    const double residual = criteria_.residual(now_.x, structuresAnswer(loads), corrected);
+    const double residual = criteria_.residual(now_.x, structuresAnswer(loads), forces);
     next_ = nextPosition(loads);
 
     if (statistics_.nExchanges == 0) {
@@ -113,6 +112,7 @@ double BlockQuasiNewton::acceptTimeStep(const Eigen::VectorXd& d) {
 
 void BlockQuasiNewton::rejectTimeStep() {
     model_.rejectTimeStep();
+    memory_.rejectTimeStep();
     deltaT_ = 0;
 }
 
@@ -120,12 +120,14 @@ void BlockQuasiNewton::save(StateWriter& state) const {
     predictor_.save(state);
     state.number(deltaTOfModel_);
     model_.save(state);
+    memory_.save(state);
 }
 
 void BlockQuasiNewton::restore(StateReader& state) {
     predictor_.restore(state, Predictor::Values::ofStructure);
     deltaTOfModel_ = state.number();
     model_.restore(state);
+    memory_.restore(state);
 }
 
 } // namespace tokay::coupling

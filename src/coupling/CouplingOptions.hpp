@@ -24,7 +24,7 @@ enum class QrFilter {
 /// Everything the user may choose about the coupling, with its default.
 /// Norms are root mean squares over all components.
 struct CouplingOptions {
-    Acceleration acceleration = Acceleration::iqnIls;
+    Acceleration acceleration = Acceleration::block;
     Extrapolation extrapolation = Extrapolation::linear;
 
     // Relaxation

@@ -1,5 +1,8 @@
 #include "coupling/FluidMemory.hpp"
 
+#include "coupling/StateReader.hpp"
+#include "coupling/StateWriter.hpp"
+
 namespace tokay::coupling {
 namespace {
 
@@ -8,24 +11,38 @@ constexpr double correctedPart = 0.7;
 
 } // namespace
 
-Eigen::VectorXd FluidMemory::corrected(const Eigen::VectorXd& forces) {
-    if (previous_.size() == 0) {
-        previous_ = forces;
+void FluidMemory::beginTimeStep() {
+    isFirst_ = true;
+    atBegin_ = last_;
+}
+
+Eigen::VectorXd FluidMemory::corrected(const Eigen::VectorXd& loads) {
+    if (share_ == 0) {
+        return loads;
     }
-    const Eigen::VectorXd previous = previous_;
-    changeBefore_ = lastChange_;
-    lastChange_ = (forces - previous).norm();
-    previous_ = forces;
+    const Last before = last_;
+    changeBefore_ = before.change;
+    last_ = {loads, before.loads.size() == 0 ? 0 : (loads - before.loads).norm()};
     if (isFirst_) {
         isFirst_ = false;
-        return forces;
+        return loads;
     }
     const double q = correctedPart * share_;
-    return (forces - q * previous) / (1 - q);
+    return (loads - q * before.loads) / (1 - q);
 }
 
 bool FluidMemory::teaches() const {
-    return lastChange_ >= contrast_ * share_ / (1 - share_) * changeBefore_;
+    return last_.change >= contrast_ * share_ / (1 - share_) * changeBefore_;
+}
+
+void FluidMemory::save(StateWriter& state) const {
+    state.matrix(last_.loads);
+    state.number(last_.change);
+}
+
+void FluidMemory::restore(StateReader& state) {
+    last_.loads = state.vector();
+    last_.change = state.number();
 }
 
 } // namespace tokay::coupling

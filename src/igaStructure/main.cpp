@@ -11,6 +11,7 @@
 #include "igaStructure/run/runModes.hpp"
 
 #include <CLI/CLI.hpp>
+#include <Eigen/Core>
 #include <fmt/format.h>
 
 #include <csignal>
@@ -133,6 +134,10 @@ int fail(const std::string& message) {
 } // namespace
 
 int main(int argc, char** argv) {
+    // The cores are shared out by elements. Eigen's own threads would wait for each
+    // other by spinning, and take the cores from a fluid; and sums would depend on
+    // their number.
+    Eigen::setNbThreads(1);
     structure::rememberSignals();
     try {
         return runProgram(argc, argv);

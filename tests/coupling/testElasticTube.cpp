@@ -58,6 +58,7 @@ TEST(ElasticTube, iqnIlsNeedsNoMoreExchangesThanPublishedAndFindsTheMonolithicSo
     } cases[] = {{0, 10.7}, {1, 7.0}, {4, 5.8}, {8, 5.3}};
     for (const auto& [reusedTimeSteps, publishedLimit] : cases) {
         CouplingOptions options;
+        options.acceleration = Acceleration::iqnIls;
         options.extrapolation = Extrapolation::quadratic;
         options.reusedTimeSteps = reusedTimeSteps;
         options.keepFraction = 0; // this fluid has no drift to guard against

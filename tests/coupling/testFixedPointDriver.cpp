@@ -18,6 +18,12 @@ using ::testing::HasSubstr;
 
 const double tolerance = 1e-6;
 
+CouplingOptions iqnIls() {
+    CouplingOptions options;
+    options.acceleration = Acceleration::iqnIls;
+    return options;
+}
+
 LinearResponse exampleResponse() {
     return addedMass(VectorXd::LinSpaced(4, 0.5, 20));
 }
@@ -39,7 +45,7 @@ void runStep(FixedPointDriver& driver, const LinearResponse& response, double de
 
 TEST(FixedPointDriver, convergesToTheSolutionOfTheCoupledProblem) {
     const LinearResponse response = exampleResponse();
-    FixedPointDriver driver(CouplingOptions(), tolerance, VectorXd::Zero(4));
+    FixedPointDriver driver(iqnIls(), tolerance, VectorXd::Zero(4));
     VectorXd x = driver.beginTimeStep(0.1);
     Iteration iteration;
     while (!iteration.converged) {
@@ -54,7 +60,7 @@ TEST(FixedPointDriver, convergesToTheSolutionOfTheCoupledProblem) {
 
 TEST(FixedPointDriver, predictsFromWhatTheStructureAccepted) {
     const LinearResponse response = exampleResponse();
-    FixedPointDriver driver(CouplingOptions(), tolerance, VectorXd::Zero(4));
+    FixedPointDriver driver(iqnIls(), tolerance, VectorXd::Zero(4));
     runStep(driver, response, 0.1);
     const VectorXd expected = 3 * response.solution(); // linear, the step twice as long
     EXPECT_LT((driver.beginTimeStep(0.2) - expected).norm(), 10 * tolerance * expected.norm());
@@ -62,8 +68,8 @@ TEST(FixedPointDriver, predictsFromWhatTheStructureAccepted) {
 
 TEST(FixedPointDriver, aRejectedStepLeavesNoTrace) {
     const LinearResponse response = exampleResponse();
-    FixedPointDriver driver(CouplingOptions(), tolerance, VectorXd::Zero(4));
-    FixedPointDriver undisturbed(CouplingOptions(), tolerance, VectorXd::Zero(4));
+    FixedPointDriver driver(iqnIls(), tolerance, VectorXd::Zero(4));
+    FixedPointDriver undisturbed(iqnIls(), tolerance, VectorXd::Zero(4));
     runStep(driver, response, 0.1);
     runStep(undisturbed, response, 0.1);
     const VectorXd x = driver.beginTimeStep(0.4);
@@ -75,7 +81,7 @@ TEST(FixedPointDriver, aRejectedStepLeavesNoTrace) {
 }
 
 TEST(FixedPointDriver, finalResidualBelongsToTheDisplacementOfTheLastExchange) {
-    FixedPointDriver driver(CouplingOptions(), tolerance, VectorXd::Zero(1));
+    FixedPointDriver driver(iqnIls(), tolerance, VectorXd::Zero(1));
     driver.beginTimeStep(0.1);
     driver.iterate(VectorXd::Ones(1), 0); // proposes 0.1
     driver.iterate(VectorXd::Ones(1), 0); // was at 0.1, proposes something else
@@ -83,7 +89,7 @@ TEST(FixedPointDriver, finalResidualBelongsToTheDisplacementOfTheLastExchange) {
 }
 
 TEST(FixedPointDriver, acceptsAStepWithoutAnyIteration) {
-    FixedPointDriver driver(CouplingOptions(), tolerance, VectorXd::Ones(1));
+    FixedPointDriver driver(iqnIls(), tolerance, VectorXd::Ones(1));
     driver.beginTimeStep(0.1);
     EXPECT_EQ(driver.acceptTimeStep(VectorXd::Constant(1, 2)), 0.5);
     EXPECT_EQ(driver.statistics().nExchanges, 0);
@@ -106,7 +112,7 @@ TEST(FixedPointDriver, explicitCouplingTakesOneExchangeAndDoesNotMoveOn) {
 
 TEST(FixedPointDriver, countsExchangesAndResidualsOfEachStep) {
     const LinearResponse response = exampleResponse();
-    FixedPointDriver driver(CouplingOptions(), tolerance, VectorXd::Zero(4));
+    FixedPointDriver driver(iqnIls(), tolerance, VectorXd::Zero(4));
     runStep(driver, response, 0.1);
     EXPECT_GE(driver.statistics().nExchanges, 6); // four unknowns, and one to notice
     EXPECT_EQ(driver.statistics().firstResidual, 1);
@@ -117,7 +123,7 @@ TEST(FixedPointDriver, countsExchangesAndResidualsOfEachStep) {
 }
 
 TEST(FixedPointDriver, valuesThatAreNotFiniteAreErrorsNamingTheComponent) {
-    FixedPointDriver driver(CouplingOptions(), tolerance, VectorXd::Zero(3));
+    FixedPointDriver driver(iqnIls(), tolerance, VectorXd::Zero(3));
     driver.beginTimeStep(0.1);
     VectorXd xTilde = VectorXd::Ones(3);
     xTilde[2] = std::nan("");

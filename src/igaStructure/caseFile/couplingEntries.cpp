@@ -38,7 +38,7 @@ const std::vector<CaseEntry>& couplingEntries() {
      "Polynomial through accepted interface displacements that starts a time step."},
     {"coupling.acceleration", Kind::map, defaulted, "{}", "", "", 0,
      "How the next interface displacement follows from the last exchanges."},
-    {"coupling.acceleration.type", Kind::word, defaulted, "iqnIls", "", "explicit constant aitken iqnIls mvqn block", 0,
+    {"coupling.acceleration.type", Kind::word, defaulted, "block", "", "explicit constant aitken iqnIls mvqn block", 0,
      "explicit: one exchange a time step, nothing iterated. constant: constant relaxation. aitken: dynamic relaxation. iqnIls: interface quasi-Newton by least squares. mvqn: multi-vector quasi-Newton, whose Jacobian is carried over time steps. block: the same for the fluid alone, the structure's own factored tangent taking its part."},
     {"coupling.acceleration.relaxation", Kind::number, optional, "", "", "(0, 2]", 0,
      withDefault("constant: share of the residual added", coupled.relaxation)},

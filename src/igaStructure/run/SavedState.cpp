@@ -14,7 +14,7 @@ using coupling::StateWriter;
 namespace {
 
 const std::string magic = "TokayState";
-constexpr int stateVersion = 1;
+constexpr int stateVersion = 2;
 
 } // namespace
 
