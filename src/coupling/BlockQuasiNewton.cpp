@@ -100,12 +100,17 @@ BlockQuasiNewton::Position BlockQuasiNewton::nextPosition(const Eigen::VectorXd&
     return at(d);
 }
 
+Eigen::VectorXd BlockQuasiNewton::finalLoads(const Eigen::VectorXd& forces) {
+    const Eigen::VectorXd loads = memory_.corrected(structure_.loads(forces, now_.d));
+    const Position end = nextPosition(loads);
+    return loads + model_.matrix().apply(end.x - now_.x, loads.size());
+}
+
 double BlockQuasiNewton::acceptTimeStep(const Eigen::VectorXd& d) {
     assert(deltaT_ > 0);
     const double residual = criteria_.displacementResidual(now_.x, structure_.displacements(d));
     model_.acceptTimeStep();
-    // The fluid's inertia makes now_ more exact than d, by the added-mass ratio.
-    predictor_.accept(statistics_.converged ? now_.d : d, deltaT_);
+    predictor_.accept(d, deltaT_);
     deltaT_ = 0;
     return residual;
 }

@@ -35,8 +35,13 @@ class BlockQuasiNewton {
     /// @throws SolverError if a value is not finite or Newton's method fails
     Iteration iterate(const Eigen::VectorXd& forces, double fluidResidual);
 
-    /// @param d  state that the structure has accepted under the final forces
-    /// @return   residual of these forces
+    /// What the final forces would do to the structure once the fluid had followed
+    /// it for the rest of the way, by what is known of its response.
+    /// @param forces  on the fluid's faces, at the displacement of the last exchange
+    Eigen::VectorXd finalLoads(const Eigen::VectorXd& forces);
+
+    /// @param d  state that the structure has accepted under the final loads
+    /// @return   what the interface has moved on since the last exchange, relative
     double acceptTimeStep(const Eigen::VectorXd& d);
 
     /// Forgets the step, which will be tried again.

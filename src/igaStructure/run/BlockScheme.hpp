@@ -18,6 +18,12 @@ class BlockScheme : public CouplingScheme {
         const Eigen::Map<const Eigen::VectorXd> onFaces(forces.data(), forces.size());
         return timer_.time(Phase::solving, [&] { return method_.iterate(onFaces, fluidResidual); });
     }
+    Eigen::VectorXd finalAnswer(const std::vector<double>& forces) override {
+        const Eigen::Map<const Eigen::VectorXd> onFaces(forces.data(), forces.size());
+        const Eigen::VectorXd loads =
+            timer_.time(Phase::solving, [&] { return method_.finalLoads(onFaces); });
+        return structure_.answerTo(loads);
+    }
     double acceptTimeStep(const Eigen::VectorXd&) override {
         return method_.acceptTimeStep(structure_.displacement());
     }

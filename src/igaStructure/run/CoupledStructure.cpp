@@ -88,12 +88,10 @@ Answer CoupledStructure::iterate(const std::vector<double>& forces, double fluid
 }
 
 Answer CoupledStructure::acceptTimeStep(const std::vector<double>& forces, bool writeResults) {
-    AuditedStep audited{
-        forces, integrator_.state().displacement, integrator_.displacement(), {}, deltaT_};
+    const Eigen::VectorXd before = integrator_.state().displacement;
     ++report_.nExchanges;
-    const Eigen::VectorXd xTilde = structure_.answer(forces);
+    const Eigen::VectorXd xTilde = scheme_->finalAnswer(forces);
     timer_.time(Phase::solving, [&] { integrator_.acceptTimeStep(); });
-    audited.after = integrator_.displacement();
     report_.lastResidual =
         timer_.time(Phase::acceleration, [&] { return scheme_->acceptTimeStep(xTilde); });
     report_.firstResidual = scheme_->statistics().firstResidual;
@@ -105,7 +103,8 @@ Answer CoupledStructure::acceptTimeStep(const std::vector<double>& forces, bool 
     output_.finishStep(report_, integrator_.state(), integrator_.energies(), timer_, writeResults);
     Answer answer{xTilde, report_.lastResidual, true};
     if (audits_) {
-        answer.balance = interfaceBalance(boundary_, audited);
+        answer.balance = interfaceBalance(boundary_, {forces, before, structure_.mappedAt(),
+                                                      integrator_.state().displacement, deltaT_});
     }
     return answer;
 }

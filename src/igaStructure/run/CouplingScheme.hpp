@@ -13,7 +13,8 @@ namespace tokay::structure {
 
 /// How fluid and structure come to agree within each time step: beginTimeStep,
 /// iterate as often as it takes, then acceptTimeStep or rejectTimeStep. The
-/// structure has begun the step before, and has answered the final forces.
+/// structure has begun the step before; it answers the final forces before the
+/// step is accepted.
 class CouplingScheme {
   public:
     virtual ~CouplingScheme() = default;
@@ -25,6 +26,10 @@ class CouplingScheme {
     /// @param fluidResidual  initial residual of its momentum equation
     virtual coupling::Iteration iterate(const std::vector<double>& forces,
                                         double fluidResidual) = 0;
+
+    /// Solves the structure for the step's final forces.
+    /// @return  displacements of the fluid's points [m]
+    virtual Eigen::VectorXd finalAnswer(const std::vector<double>& forces) = 0;
 
     /// @param xTilde  the structure's answer to the final forces
     /// @return        residual of these

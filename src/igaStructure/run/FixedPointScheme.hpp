@@ -20,6 +20,9 @@ class FixedPointScheme : public CouplingScheme {
         return timer_.time(Phase::acceleration,
                            [&] { return driver_.iterate(xTilde, fluidResidual, onFaces); });
     }
+    Eigen::VectorXd finalAnswer(const std::vector<double>& forces) override {
+        return structure_.answer(forces);
+    }
     double acceptTimeStep(const Eigen::VectorXd& xTilde) override {
         return driver_.acceptTimeStep(xTilde);
     }

@@ -12,9 +12,13 @@ void WetStructure::beginTimeStep(double time, double deltaT) {
 }
 
 VectorXd WetStructure::answer(const std::vector<double>& forces) {
-    const VectorXd force = timer_.time(
-        Phase::mapping, [&] { return boundary_.forces(forces, integrator_.displacement()); });
-    timer_.time(Phase::solving, [&] { integrator_.solve(force); });
+    mappedAt_ = integrator_.displacement();
+    return answerTo(
+        timer_.time(Phase::mapping, [&] { return boundary_.forces(forces, mappedAt_); }));
+}
+
+VectorXd WetStructure::answerTo(const VectorXd& loads) {
+    timer_.time(Phase::solving, [&] { integrator_.solve(loads); });
     factoredAt_.resize(0);
     nIterations_ += integrator_.nIterations();
     return timer_.time(Phase::mapping,
@@ -43,6 +47,7 @@ MatrixXd WetStructure::variations(const MatrixXd& D) {
 }
 
 VectorXd WetStructure::loads(const VectorXd& forces, const VectorXd& d) {
+    mappedAt_ = d;
     VectorXd loads = boundary_.forces({forces.data(), forces.data() + forces.size()}, d);
     for (Eigen::Index k = 0; k < loads.size(); ++k) {
         if (model_.fixed()[static_cast<std::size_t>(k)]) {

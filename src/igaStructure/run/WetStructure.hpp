@@ -24,8 +24,14 @@ class WetStructure : public coupling::TangentStructure {
     /// @return        displacements of the fluid's points [m]
     Eigen::VectorXd answer(const std::vector<double>& forces);
 
+    /// The same for forces on the unknowns.
+    Eigen::VectorXd answerTo(const Eigen::VectorXd& loads);
+
     /// Latest iterate of the structure's unknowns.
     const Eigen::VectorXd& displacement() const { return integrator_.displacement(); }
+
+    /// Displacement of its unknowns at which the last forces were mapped.
+    const Eigen::VectorXd& mappedAt() const { return mappedAt_; }
 
     /// Of Newton's method, in this time step.
     int nIterations() const { return nIterations_; }
@@ -42,6 +48,7 @@ class WetStructure : public coupling::TangentStructure {
     TimeIntegrator& integrator_;
     const WetBoundary& boundary_;
     PhaseTimer& timer_;
+    Eigen::VectorXd mappedAt_;
     Eigen::VectorXd factoredAt_; ///< empty: nowhere in this time step
     int nIterations_ = 0;
 };
