@@ -1,7 +1,7 @@
-// Ways to join patches and to hold trimmed edges: orders of convergence against a known
-// solution, the roof in parts against the whole one, ratios of stiffness and density of
-// two patches over 12 decades, thin plates, and what each costs.
-#include "common/errors.hpp"
+// Ways to join patches and to hold trimmed edges: the roof in parts against the whole
+// one, ratios of stiffness and density of two patches over 12 decades, thin plates, a
+// balloon of two membranes, and what each costs. Their orders of convergence: orders.cpp.
+#include "Table.hpp"
 #include "exampleShell.hpp"
 #include "igaStructure/analysis/naturalModes.hpp"
 #include "scenes.hpp"
@@ -14,8 +14,6 @@
 #include <array>
 #include <cmath>
 #include <ctime>
-#include <fstream>
-#include <functional>
 
 namespace {
 
@@ -31,58 +29,6 @@ const std::array<Method, 3> methods = {{{"penalty", EdgeMethod::penalty, {1e3, 1
                                         {"nitsche", EdgeMethod::nitsche, {1, 0.1, 10, 1e3}},
                                         {"lagrange", EdgeMethod::lagrange, {1e6, 1e2, 1e4, 1e8}}}};
 
-class Table {
-  public:
-    Table(const std::string& file, const std::string& head) : file_(file) { write(head + "\n"); }
-    void write(const std::string& line) {
-        fmt::print("{}", line);
-        std::fflush(stdout);
-        file_ << line;
-    }
-
-  private:
-    std::ofstream file_;
-};
-
-// The message of what goes wrong instead of numbers.
-void addRow(Table& table, const std::string& start, const std::function<std::string()>& numbers) {
-    try {
-        table.write(start + numbers() + "\n");
-    } catch (const SolverError& error) {
-        table.write(start + fmt::format("\"{}\"\n", error.what()));
-    }
-}
-
-void addOrders(const std::string& directory, bool isQuick) {
-    Table table(directory + "/edgeOrders.csv",
-                "method,degree,parts,elements,w,order,bending,order,u,order,strain,order");
-    for (const Method& method : methods) {
-        for (const int degree : {2, 3, 4}) {
-            for (const int nParts : {1, 2}) {
-                DiscError last{};
-                for (const int n :
-                     isQuick ? std::vector<int>{6, 12} : std::vector<int>{6, 12, 24, 48}) {
-                    addRow(table, fmt::format("{},{},{},{},", method.name, degree, nParts, n), [&] {
-                        ShellDescription disc = discShell({}, degree, n, nParts);
-                        disc.edgeMethod = method.method;
-                        Shell shell(std::move(disc));
-                        const DiscError error = discError(shell, solveStatic(shell));
-                        const auto both = [](double now, double before) {
-                            return fmt::format("{:.2e},{:.2f}", now, std::log2(before / now));
-                        };
-                        const std::string row = both(error.deflection, last.deflection) + "," +
-                                                both(error.bending, last.bending) + "," +
-                                                both(error.displacement, last.displacement) + "," +
-                                                both(error.strain, last.strain);
-                        last = error;
-                        return row;
-                    });
-                }
-            }
-        }
-    }
-}
-
 // Differences in percent from the whole roof on a fine mesh.
 void addRoofs(const std::string& directory, bool isQuick) {
     Table table(directory + "/edgeRoof.csv",
@@ -95,7 +41,7 @@ void addRoofs(const std::string& directory, bool isQuick) {
     for (const Method& method : methods) {
         for (const double factor : method.factors) {
             for (const int n : isQuick ? std::vector<int>{1} : std::vector<int>{1, 2, 4}) {
-                addRow(table, fmt::format("{},{:g},{},", method.name, factor, n), [&] {
+                table.addRow(fmt::format("{},{:g},{},", method.name, factor, n), [&] {
                     std::vector<Scene> scenes = roofScenes(n);
                     double differences[2];
                     for (const int k : {1, 2}) {
@@ -211,7 +157,7 @@ void addRatios(const std::string& directory) {
         for (const auto& [stiffnessExponent, densityExponent] : exponents) {
             const double stiffness = std::pow(10, stiffnessExponent);
             const double density = std::pow(10, densityExponent);
-            addRow(table, fmt::format("{},{:g},{:g},", method.name, stiffness, density), [&] {
+            table.addRow(fmt::format("{},{:g},{:g},", method.name, stiffness, density), [&] {
                 ShellDescription plates = twoPlates(stiffness, density, thickness);
                 plates.edgeMethod = method.method;
                 plates.loads.edgeMoments = {{{1, right}, ScalarField::constant(-1e-6)}};
@@ -226,12 +172,49 @@ void addRatios(const std::string& directory) {
     }
 }
 
+// A balloon of two membranes at stretch 1.2: what the joint's radius and the widening of
+// the whole are off by, over the widening.
+void addMembrane(const std::string& directory, bool isQuick) {
+    Table table(directory + "/edgeMembrane.csv", "method,factor,elements,joint_error,far_error");
+    constexpr double stretch = 1.2;
+    constexpr int nLoadSteps = 5;
+    for (const Method& method : methods) {
+        if (method.method == EdgeMethod::nitsche) {
+            continue; // of linear strains only
+        }
+        for (const double factor : method.factors) {
+            for (const int n : isQuick ? std::vector<int>{4, 8} : std::vector<int>{4, 8, 16}) {
+                table.addRow(fmt::format("{},{:g},{},", method.name, factor, n), [&] {
+                    ShellDescription balloon =
+                        balloonHalves({[](const geometry::Point&, double t) {
+                                           return t * balloonPressure(stretch);
+                                       },
+                                       true},
+                                      n);
+                    balloon.edgeMethod = method.method;
+                    balloon.penalty = factor;
+                    Shell shell(std::move(balloon));
+                    const Eigen::VectorXd d = solveStatic(shell, nLoadSteps, false);
+                    const geometry::NurbsSurface& first = shell.patches()[0]->surface();
+                    const double far =
+                        1 + displacementAt(shell, first.u().first(), first.v().first(), d)[0] / 10;
+                    const auto error = [](double reached) {
+                        return (reached - stretch) / (stretch - 1);
+                    };
+                    return fmt::format("{:.2e},{:.2e}",
+                                       error(worstStretchOfJoint(shell, d, stretch)), error(far));
+                });
+            }
+        }
+    }
+}
+
 void addThickness(const std::string& directory) {
     Table table(directory + "/edgeThickness.csv",
                 "method,thickness,joined_tip_error,disc_w,disc_bending");
     for (const Method& method : methods) {
         for (const double thickness : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5}) {
-            addRow(table, fmt::format("{},{:g},", method.name, thickness), [&] {
+            table.addRow(fmt::format("{},{:g},", method.name, thickness), [&] {
                 ShellDescription plates = twoPlates(1, 1, thickness);
                 plates.edgeMethod = method.method;
                 const double moment = 0.1 * halfBending(thickness);
@@ -270,7 +253,7 @@ void addCost(const std::string& directory) {
     for (const Method& method : methods) {
         for (const bool extended : {false, true}) {
             const char* slivers = extended ? "extension" : "scaling";
-            addRow(table, fmt::format("{},{},", method.name, slivers), [&] {
+            table.addRow(fmt::format("{},{},", method.name, slivers), [&] {
                 ShellDescription disc = discShell({}, 3, 24, 2);
                 disc.edgeMethod = method.method;
                 disc.sliverTreatment =
@@ -292,10 +275,10 @@ void addCost(const std::string& directory) {
 int main(int argc, char** argv) {
     try {
         const bool isQuick = argc > 2;
-        addOrders(argv[1], isQuick);
         addRoofs(argv[1], isQuick);
         addRatios(argv[1]);
         addThickness(argv[1]);
+        addMembrane(argv[1], isQuick);
         addCost(argv[1]);
         return 0;
     } catch (const tokay::InputError& error) {

@@ -3,6 +3,7 @@
 #include "geometry/SurfaceProjector.hpp"
 #include "geometry/bezierPieces.hpp"
 #include "geometry/primitives.hpp"
+#include "geometry/refinement.hpp"
 
 #include <fmt/format.h>
 
@@ -151,8 +152,9 @@ std::vector<Scene> roofScenes(int n) {
     std::vector<Scene> scenes;
     scenes.push_back(
         roof("Scordelis-Lo roof", onePatch(roofSurface(50, 130), 3, 8 * n, 8 * n, 0.25, concrete)));
-    scenes.push_back(roof("the same, cut out of a larger patch", trimmedRoof(10 * n)));
-    scenes.push_back(roof("the same, three patches that do not match", threePatchRoof(9 * n)));
+    scenes.push_back(roof("Scordelis-Lo roof cut out of a larger patch", trimmedRoof(10 * n)));
+    scenes.push_back(
+        roof("Scordelis-Lo roof of three patches that do not match", threePatchRoof(9 * n)));
     return scenes;
 }
 
@@ -198,6 +200,46 @@ ShellDescription balloon(const ScalarField& pressure) {
                           support(bottom, {false, false, true}, true)};
     shell.loads.pressures = {{{0}, pressure}};
     return shell;
+}
+
+ShellDescription balloonHalves(const ScalarField& pressure, int n) {
+    const geometry::KnotVector u = octant().u();
+    const std::vector<geometry::NurbsSurface> halves =
+        geometry::bezierPieces(geometry::insertKnots(octant(), {0.5 * (u.first() + u.last())}, {}));
+    ShellDescription shell{
+        geometry::BrepModel({{TrimmedPatch(halves[0], "first").refined(3, 3, n, n)},
+                             {TrimmedPatch(halves[1], "second").refined(3, 3, n + 1, n + 3)}},
+                            {{"joint", {{0, right}, {1, left}}}}),
+        {0.1, 0.1},
+        {3 * 4.225e5, 0.5, 1}};
+    shell.bending = false;
+    shell.material.law = MaterialLaw::incompressibleNeoHookean;
+    shell.edgeSupports = {{{{0, left}}, {false, true, false}},
+                          {{{1, right}}, {true, false, false}},
+                          {{{0, bottom}, {1, bottom}}, {false, false, true}}};
+    shell.loads.pressures = {{{0, 1}, pressure}};
+    return shell;
+}
+
+double worstStretchOfJoint(const Shell& shell, const VectorXd& displacement, double expected) {
+    double worst = expected;
+    for (int face = 0; face < 2; ++face) {
+        const geometry::NurbsSurface& surface = shell.patches()[face]->surface();
+        const double xi = face == 0 ? surface.u().last() : surface.u().first();
+        constexpr int nPlaces = 40;
+        for (int k = 0; k <= nPlaces; ++k) {
+            // The last place is beside the pole, where parameters have no meaning.
+            const double share = 0.99 * k / nPlaces;
+            const double eta = (1 - share) * surface.v().first() + share * surface.v().last();
+            const Vector3d x =
+                surface.point(xi, eta) + shell.stateAt(face, xi, eta, displacement).displacement;
+            const double stretch = x.norm() / 10;
+            if (std::abs(stretch - expected) > std::abs(worst - expected)) {
+                worst = stretch;
+            }
+        }
+    }
+    return worst;
 }
 
 } // namespace tokay::structure

@@ -34,6 +34,13 @@ ShellDescription rolledCantilever();
 /// Octant of a sphere of radius 10 and thickness 0.1, neo-Hookean with mu 4.225e5,
 /// under a pressure.
 ShellDescription balloon(const ScalarField& pressure);
+/// The same as a membrane of two patches that do not match, with n by n elements of
+/// degree 3 on the one and n + 1 by n + 3 on the other, which meet along a meridian.
+ShellDescription balloonHalves(const ScalarField& pressure, int n);
+/// Stretch of balloonHalves at the point of the joint, on either side of it, that is
+/// farthest from a stretch.
+double worstStretchOfJoint(const Shell& shell, const Eigen::VectorXd& displacement,
+                           double expected);
 /// Pressure at a stretch, by the formula.
 double balloonPressure(double stretch);
 

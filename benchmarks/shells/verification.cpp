@@ -1,28 +1,28 @@
-// Published shells: value, reference, error, unknowns, seconds.
+// Published shells: value, reference, error, unknowns, seconds of the processor.
 #include "common/errors.hpp"
 #include "igaStructure/timeIntegration/TimeIntegrator.hpp"
 #include "scenes.hpp"
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <fstream>
 
 namespace {
 
 using namespace tokay;
 using namespace tokay::structure;
-using Clock = std::chrono::steady_clock;
 
-double secondsSince(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
+double secondsSince(std::clock_t start) {
+    return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
 class Table {
   public:
     explicit Table(const char* file) : file_(file) {
-        write("case,value,reference,error_percent,unknowns,seconds,limit_percent,verdict\n");
+        write("case,value,reference,error_percent,unknowns,processor_seconds,limit_percent,"
+              "verdict\n");
     }
     /// @param error  relative to what the limit is relative to
     void add(const std::string& name, double value, double reference, double error, int nUnknowns,
@@ -63,7 +63,7 @@ void load(Shell& shell, int nSteps, Visit visit) {
 }
 
 void addLinear(const Scene& scene, Table& table) {
-    const auto start = Clock::now();
+    const std::clock_t start = std::clock();
     Shell shell(scene.description);
     double value = 0;
     load(shell, 1,
@@ -77,7 +77,7 @@ void addShear(Table& table) {
     constexpr double deflections[] = {0.663, 1.309, 1.922, 2.493, 3.015, 3.488, 3.912,
                                       4.292, 4.631, 4.933, 5.202, 5.444, 5.660, 5.855,
                                       6.031, 6.190, 6.335, 6.467, 6.588, 6.698};
-    const auto start = Clock::now();
+    const std::clock_t start = std::clock();
     Shell shell(shearedCantilever());
     load(shell, 20, [&](const MotionState& state) {
         const double expected = deflections[std::lround(20 * state.time) - 1];
@@ -89,7 +89,7 @@ void addShear(Table& table) {
 
 // Against the exact circle, relative to the length.
 void addRollUp(Table& table) {
-    const auto start = Clock::now();
+    const std::clock_t start = std::clock();
     Shell shell(rolledCantilever());
     load(shell, 20, [&](const MotionState& state) {
         const Eigen::Vector3d tip = displacementAt(shell, 1, 0.5, state.displacement);
@@ -105,7 +105,7 @@ void addRollUp(Table& table) {
 // Up to the largest pressure by loading; beyond, the pressure that balances the dilation.
 void addBalloon(Table& table) {
     for (const double stretch : {1.01, 1.05, 1.1, 1.2, 1.3}) {
-        const auto start = Clock::now();
+        const std::clock_t start = std::clock();
         Shell shell(
             balloon({[=](const geometry::Point&, double t) { return t * balloonPressure(stretch); },
                      true}));
@@ -121,7 +121,7 @@ void addBalloon(Table& table) {
     }
     const Shell shell(balloon(ScalarField::constant(1)));
     for (const double stretch : {1.4, 1.5, 1.75, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0}) {
-        const auto start = Clock::now();
+        const std::clock_t start = std::clock();
         Eigen::VectorXd d(shell.nUnknowns());
         for (int k = 0; k < shell.nodes().count(); ++k) {
             d.segment<3>(3 * k) = (stretch - 1) * shell.nodes().positions.row(k).transpose();
@@ -136,6 +136,22 @@ void addBalloon(Table& table) {
     }
 }
 
+// Two membranes that do not match, in large strains, by the springs that join them if
+// nothing is chosen.
+void addBalloonHalves(Table& table) {
+    constexpr double stretch = 1.2;
+    const std::clock_t start = std::clock();
+    Shell shell(balloonHalves(
+        {[](const geometry::Point&, double t) { return t * balloonPressure(stretch); }, true}, 6));
+    double reached = 0;
+    load(shell, 5, [&](const MotionState& state) {
+        reached = worstStretchOfJoint(shell, state.displacement, stretch);
+    });
+    table.add("balloon of two membranes: stretch of the joint", reached, stretch,
+              std::abs((reached - 1) / (stretch - 1) - 1), shell.nUnknowns(), secondsSince(start),
+              5e-3);
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -147,6 +163,7 @@ int main(int argc, char** argv) {
         addShear(table);
         addRollUp(table);
         addBalloon(table);
+        addBalloonHalves(table);
         return table.allHold() ? 0 : 1;
     } catch (const tokay::InputError& error) {
         fmt::print(stderr, "{}\n", error.what());
