@@ -5,6 +5,7 @@
 #include "Ring.hpp"
 #include "coupledRun.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <functional>
 #include <memory>
@@ -69,13 +70,17 @@ std::vector<Setting> settings(bool quick) {
             {1e-2, {1e-3, 0}}, {1e-4, {0, 0.1}}, {1e-4, {0, 0.3}}};
 }
 
-/// Defaults, but for the guards that cost iterations where nothing drifts.
+/// Defaults, but for the guards that cost iterations where nothing drifts (filterLimit: noise
+/// that a difference is taken to have).
 CouplingOptions optionsFor(const Candidate& candidate, const Setting& setting) {
     CouplingOptions options;
     options.acceleration = candidate.acceleration;
     options.keepFraction = 0;
     options.largestColumns = 100;
     options.fluidMemory = setting.imperfection.memory;
+    if (setting.imperfection.noise == 0 && setting.imperfection.memory == 0) {
+        options.filterLimit = std::min(options.filterLimit, 1e-3);
+    }
     return options;
 }
 

@@ -101,7 +101,8 @@ BlockQuasiNewton::Position BlockQuasiNewton::nextPosition(const Eigen::VectorXd&
 }
 
 Eigen::VectorXd BlockQuasiNewton::finalLoads(const Eigen::VectorXd& forces) {
-    const Eigen::VectorXd loads = memory_.corrected(structure_.loads(forces, now_.d));
+    // As they are: the final corrector has had the displacement of the one before.
+    const Eigen::VectorXd loads = structure_.loads(forces, now_.d);
     const Position end = nextPosition(loads);
     return loads + model_.matrix().apply(end.x - now_.x, loads.size());
 }

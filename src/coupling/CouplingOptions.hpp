@@ -54,7 +54,7 @@ struct CouplingOptions {
     // Guards of the block method
     double fluidMemory = 0;    ///< share of its last answer that the fluid keeps
                                ///< because it makes few correctors; 0: none
-    double memoryContrast = 3; ///< difference accepted if it exceeds this many
+    double memoryContrast = 5; ///< difference accepted if it exceeds this many
                                ///< times what the last one left behind
 
     // Criteria besides the fluid's relative tolerance for the displacement

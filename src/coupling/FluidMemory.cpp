@@ -31,8 +31,10 @@ Eigen::VectorXd FluidMemory::corrected(const Eigen::VectorXd& loads) {
     return (loads - q * before.loads) / (1 - q);
 }
 
+// Of the memory, what the correction has left.
 bool FluidMemory::teaches() const {
-    return last_.change >= contrast_ * share_ / (1 - share_) * changeBefore_;
+    const double left = (1 - correctedPart) * share_ / (1 - correctedPart * share_);
+    return last_.change >= contrast_ * left / (1 - left) * changeBefore_;
 }
 
 void FluidMemory::save(StateWriter& state) const {
