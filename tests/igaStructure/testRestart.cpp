@@ -225,13 +225,13 @@ namespace {
 // Newton's method keeps tangents over time steps, but not over a saved state.
 class NonlinearRestart : public RestartedRun {
   protected:
-    NonlinearRestart() : RestartedRun(nonlinearCaseText()) {}
+    explicit NonlinearRestart(const std::string& acceleration = "iqnIls")
+        : RestartedRun(nonlinearCaseText() + "  acceleration: {type: " + acceleration + "}\n") {}
 };
 
-class NonlinearRestartWithBlocks : public RestartedRun {
+class NonlinearRestartWithBlocks : public NonlinearRestart {
   protected:
-    NonlinearRestartWithBlocks()
-        : RestartedRun(nonlinearCaseText() + "  acceleration: {type: block}\n") {}
+    NonlinearRestartWithBlocks() : NonlinearRestart("block") {}
 };
 
 } // namespace
