@@ -78,7 +78,8 @@ CouplingOptions optionsFor(const Candidate& candidate, const Setting& setting) {
     options.keepFraction = 0;
     options.largestColumns = 100;
     options.fluidMemory = setting.imperfection.memory;
-    if (setting.imperfection.noise == 0 && setting.imperfection.memory == 0) {
+    if (candidate.method == Method::block && setting.imperfection.noise == 0 &&
+        setting.imperfection.memory == 0) {
         options.filterLimit = std::min(options.filterLimit, 1e-3);
     }
     return options;
