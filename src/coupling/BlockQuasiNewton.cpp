@@ -91,13 +91,20 @@ Eigen::VectorXd BlockQuasiNewton::structuresAnswer(const Eigen::VectorXd& loads)
     return now_.x + structure_.variations(structure_.solve(imbalance));
 }
 
-BlockQuasiNewton::Position BlockQuasiNewton::nextPosition(const Eigen::VectorXd& loads) const {
-    const BlockSystem system(structure_, loads, now_.x, model_.matrix());
-    const Eigen::VectorXd d = system.solve(now_.d, shareOfTolerance * criteria_.tolerance());
-    if (model_.isIgnorant()) {
-        return at(now_.d + options_.initialRelaxation * (d - now_.d));
+BlockQuasiNewton::Position BlockQuasiNewton::nextPosition(const Eigen::VectorXd& loads) {
+    const auto answer = [&] {
+        const BlockSystem system(structure_, loads, now_.x, model_.matrix());
+        return system.solve(now_.d, shareOfTolerance * criteria_.tolerance());
+    };
+    if (!model_.isIgnorant()) {
+        try {
+            return at(answer());
+        } catch (const SolverError&) {
+            // In such a fluid there is no answer, so it has been learned wrongly.
+            model_.forget();
+        }
     }
-    return at(d);
+    return at(now_.d + options_.initialRelaxation * (answer() - now_.d));
 }
 
 Eigen::VectorXd BlockQuasiNewton::finalLoads(const Eigen::VectorXd& forces) {

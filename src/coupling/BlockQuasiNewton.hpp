@@ -14,7 +14,8 @@ namespace tokay::coupling {
 /// factored, so only the fluid's response J ≈ dL/dx is learned, L being what its
 /// forces do to the structure. Each exchange solves the structure in a fluid
 /// that responds by J (@see BlockSystem). Takes the place of FixedPointDriver,
-/// with the same life cycle.
+/// with the same life cycle. If there is no solution by J, J is forgotten and the
+/// structure's own answer relaxed, as before anything is learned.
 ///
 /// Uses initialRelaxation, filterLimit, largestRank, rankLimit, signalToNoise
 /// (weighs differences, @see ResponseModel), fluidMemory, memoryContrast.
@@ -71,7 +72,7 @@ class BlockQuasiNewton {
     Position at(const Eigen::VectorXd& d) const;
     void learn(const Eigen::VectorXd& loads, double fluidResidual);
     Eigen::VectorXd structuresAnswer(const Eigen::VectorXd& loads) const;
-    Position nextPosition(const Eigen::VectorXd& loads) const;
+    Position nextPosition(const Eigen::VectorXd& loads);
 
     CouplingOptions options_;
     ConvergenceCriteria criteria_;

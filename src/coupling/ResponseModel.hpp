@@ -33,6 +33,12 @@ class ResponseModel {
 
     const LowRankMatrix& matrix() const { return J_; }
 
+    /// Learns anew: J is zero.
+    void forget() {
+        J_ = {};
+        taught_ = {};
+    }
+
     void acceptTimeStep();
 
     /// Forgets the differences of this step.

@@ -32,6 +32,10 @@ const Mesh& performanceStore(const Mesh& mesh, long)
     return mesh;
 }
 
+//- A component of the velocity that is smaller, relative to the largest, is
+//  what the linear solvers leave across a plane flow in space
+constexpr Foam::scalar leastComponent = 1e-4;
+
 } // End anonymous namespace
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -184,7 +188,7 @@ void Foam::couplingResidual::endLoop()
 }
 
 
-Foam::scalar Foam::couplingResidual::momentum() const
+Foam::vector Foam::couplingResidual::momentumComponents() const
 {
     List<SolverPerformance<vector>> performance;
     const dictionary& all =
@@ -195,9 +199,28 @@ Foam::scalar Foam::couplingResidual::momentum() const
      || performance.empty()
     )
     {
-        return 0;   // without a momentum predictor there is none
+        return Zero;   // without a momentum predictor there is none
     }
-    return cmptMax(performance.last().initialResidual());
+    return performance.last().initialResidual();
+}
+
+
+Foam::scalar Foam::couplingResidual::momentum() const
+{
+    const vectorField& U =
+        field_.mesh().lookupObject<volVectorField>(UName_).primitiveField();
+    const vector squares(gSum(cmptMultiply(U, U)));
+    const scalar least = sqr(leastComponent)*cmptMax(squares);
+    const vector residuals(momentumComponents());
+    scalar largest = 0;
+    for (direction cmpt = 0; cmpt < vector::nComponents; ++cmpt)
+    {
+        if (squares[cmpt] > least)
+        {
+            largest = max(largest, residuals[cmpt]);
+        }
+    }
+    return largest;
 }
 
 
@@ -212,7 +235,9 @@ bool Foam::couplingResidual::momentumConverged() const
 {
     const dictionary controls(pimple_.dict());
     const dictionary* control = momentumControl(controls);
-    return !control || momentum() < control->get<scalar>("tolerance");
+    return
+        !control
+     || cmptMax(momentumComponents()) < control->get<scalar>("tolerance");
 }
 
 
