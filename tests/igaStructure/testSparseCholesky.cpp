@@ -47,6 +47,22 @@ TEST(SparseCholesky, factors_new_values_of_the_same_sparsity) {
     EXPECT_LT((solver.solve(b) - 0.5 * x).norm(), 1e-13 * x.norm());
 }
 
+TEST(SparseCholesky, solves_for_several_right_hand_sides_at_once_as_for_each) {
+    const SparseMatrix matrix = laplacian(30);
+    std::vector<bool> fixed(30, false);
+    fixed[3] = true;
+    SparseCholesky solver(matrix, fixed);
+    solver.factorise(matrix);
+    for (const int nColumns : {7, 2, 9}) {
+        const MatrixXd B = MatrixXd::Random(30, nColumns);
+        const MatrixXd X = solver.solveAll(B);
+        for (int k = 0; k < nColumns; ++k) {
+            // Rounding of sums in another order, condition about 1e3
+            EXPECT_LT((X.col(k) - solver.solve(B.col(k))).norm(), 1e-12 * X.col(k).norm());
+        }
+    }
+}
+
 TEST(SparseCholesky, indefinite_matrix_is_refused) {
     SparseMatrix matrix = laplacian(20);
     matrix.coeffRef(7, 7) = -1;

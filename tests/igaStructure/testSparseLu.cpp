@@ -37,6 +37,9 @@ TEST(SparseLu, solves_for_the_free_unknowns_and_leaves_fixed_ones_zero) {
         expected[3] = expected[39] = 0;
         // Unknowns are scaled by the diagonal, so its decades cost no digits.
         EXPECT_LT((solver.solve(scaled * expected) - expected).norm(), 1e-12 * expected.norm());
+        MatrixXd two(40, 2);
+        two << expected, -2 * expected;
+        EXPECT_LT((solver.solveAll(scaled * two) - two).norm(), 1e-12 * two.norm());
     }
     EXPECT_EQ(solver.nFree(), 38);
     EXPECT_GE(solver.nFactorEntries(), 38);

@@ -51,7 +51,7 @@ void FreePart::setScaled(const SparseMatrix& matrix, double* values) {
     }
 }
 
-void FreePart::reduce(const Eigen::VectorXd& whole, double* reduced) const {
+void FreePart::reduce(const Eigen::Ref<const Eigen::VectorXd>& whole, double* reduced) const {
     for (int k = 0; k < size(); ++k) {
         reduced[k] = scales_[k] * whole[unknowns_[k]];
     }

@@ -33,7 +33,7 @@ class FreePart {
     void setScaled(const SparseMatrix& matrix, double* values);
 
     /// Scaled right-hand side of the free unknowns.
-    void reduce(const Eigen::VectorXd& whole, double* reduced) const;
+    void reduce(const Eigen::Ref<const Eigen::VectorXd>& whole, double* reduced) const;
     /// Solution of all unknowns from the scaled one; fixed ones are zero.
     Eigen::VectorXd extend(const double* reduced) const;
 

@@ -42,7 +42,9 @@ class LinearSolver {
 
     /// Solution for a right-hand side; fixed unknowns are zero in it.
     /// Needs a factorisation.
-    virtual Eigen::VectorXd solve(const Eigen::VectorXd& rightHandSide) = 0;
+    Eigen::VectorXd solve(const Eigen::VectorXd& rightHandSide) { return solveAll(rightHandSide); }
+    /// The same for several right-hand sides, a column each.
+    virtual Eigen::MatrixXd solveAll(const Eigen::MatrixXd& rightHandSides) = 0;
 
     virtual int nFree() const = 0;
     /// Entries of the factors; before a factorisation those that are expected.

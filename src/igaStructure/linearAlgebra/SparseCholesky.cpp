@@ -16,8 +16,8 @@ struct SparseCholesky::Implementation {
     cholmod_common common{};
     cholmod_sparse* matrix = nullptr; ///< lower triangle of the free unknowns
     cholmod_factor* factor = nullptr;
-    cholmod_dense* rightHandSide = nullptr;
-    cholmod_dense* solution = nullptr;
+    cholmod_dense* rightHandSides = nullptr;
+    cholmod_dense* solutions = nullptr;
     cholmod_dense* workspaceY = nullptr;
     cholmod_dense* workspaceE = nullptr;
     double nOperations = 0; ///< of a factorisation
@@ -37,8 +37,8 @@ struct SparseCholesky::Implementation {
     ~Implementation() {
         cholmod_free_dense(&workspaceE, &common);
         cholmod_free_dense(&workspaceY, &common);
-        cholmod_free_dense(&solution, &common);
-        cholmod_free_dense(&rightHandSide, &common);
+        cholmod_free_dense(&solutions, &common);
+        cholmod_free_dense(&rightHandSides, &common);
         cholmod_free_factor(&factor, &common);
         cholmod_free_sparse(&matrix, &common);
         cholmod_finish(&common);
@@ -78,8 +78,6 @@ SparseCholesky::SparseCholesky(const SparseMatrix& pattern, const std::vector<bo
     own.factor = cholmod_analyze(own.matrix, &own.common);
     own.requireOk("analysis");
     own.nOperations = own.common.fl;
-    own.rightHandSide = cholmod_allocate_dense(nFree(), 1, nFree(), CHOLMOD_REAL, &own.common);
-    own.requireOk("allocation");
 }
 
 SparseCholesky::SparseCholesky(SparseCholesky&&) noexcept = default;
@@ -100,15 +98,28 @@ void SparseCholesky::factorise(const SparseMatrix& matrix) {
     own.factorised = true;
 }
 
-Eigen::VectorXd SparseCholesky::solve(const Eigen::VectorXd& rightHandSide) {
+Eigen::MatrixXd SparseCholesky::solveAll(const Eigen::MatrixXd& rightHandSides) {
     Implementation& own = *implementation_;
     assert(own.factorised);
-    const BlasThreads threads(4 * nFactorEntries());
-    own.part.reduce(rightHandSide, static_cast<double*>(own.rightHandSide->x));
-    cholmod_solve2(CHOLMOD_A, own.factor, own.rightHandSide, nullptr, &own.solution, nullptr,
+    const Eigen::Index nColumns = rightHandSides.cols();
+    const auto n = static_cast<std::size_t>(nFree());
+    const BlasThreads threads(4 * nFactorEntries() * static_cast<double>(nColumns));
+    cholmod_ensure_dense(&own.rightHandSides, n, static_cast<std::size_t>(nColumns), n,
+                         CHOLMOD_REAL, &own.common);
+    own.requireOk("allocation");
+    for (Eigen::Index k = 0; k < nColumns; ++k) {
+        own.part.reduce(rightHandSides.col(k),
+                        static_cast<double*>(own.rightHandSides->x) + k * nFree());
+    }
+    cholmod_solve2(CHOLMOD_A, own.factor, own.rightHandSides, nullptr, &own.solutions, nullptr,
                    &own.workspaceY, &own.workspaceE, &own.common);
     own.requireOk("solution");
-    return own.part.extend(static_cast<const double*>(own.solution->x));
+    Eigen::MatrixXd result(rightHandSides.rows(), nColumns);
+    for (Eigen::Index k = 0; k < nColumns; ++k) {
+        result.col(k) =
+            own.part.extend(static_cast<const double*>(own.solutions->x) + k * nFree());
+    }
+    return result;
 }
 
 int SparseCholesky::nFree() const {

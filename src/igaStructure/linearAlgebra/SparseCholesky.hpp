@@ -17,7 +17,7 @@ class SparseCholesky : public LinearSolver {
     /// Takes the lower triangle.
     /// @throws NotPositiveDefinite; SolverError otherwise
     void factorise(const SparseMatrix& matrix) override;
-    Eigen::VectorXd solve(const Eigen::VectorXd& rightHandSide) override;
+    Eigen::MatrixXd solveAll(const Eigen::MatrixXd& rightHandSides) override;
     int nFree() const override;
     double nFactorEntries() const override;
     double bytes() const override;

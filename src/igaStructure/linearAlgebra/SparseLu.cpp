@@ -75,17 +75,21 @@ void SparseLu::factorise(const SparseMatrix& matrix) {
     }
 }
 
-Eigen::VectorXd SparseLu::solve(const Eigen::VectorXd& rightHandSide) {
+Eigen::MatrixXd SparseLu::solveAll(const Eigen::MatrixXd& rightHandSides) {
     Implementation& own = *implementation_;
     assert(own.numeric);
     Eigen::VectorXd b(nFree());
     Eigen::VectorXd x(nFree());
-    own.part.reduce(rightHandSide, b.data());
-    own.require(umfpack_di_solve(UMFPACK_A, own.part.starts().data(), own.part.rows().data(),
-                                 own.values.data(), x.data(), b.data(), own.numeric, own.control,
-                                 own.info),
-                "solution");
-    return own.part.extend(x.data());
+    Eigen::MatrixXd result(rightHandSides.rows(), rightHandSides.cols());
+    for (Eigen::Index k = 0; k < rightHandSides.cols(); ++k) {
+        own.part.reduce(rightHandSides.col(k), b.data());
+        own.require(umfpack_di_solve(UMFPACK_A, own.part.starts().data(), own.part.rows().data(),
+                                     own.values.data(), x.data(), b.data(), own.numeric,
+                                     own.control, own.info),
+                    "solution");
+        result.col(k) = own.part.extend(x.data());
+    }
+    return result;
 }
 
 int SparseLu::nFree() const {

@@ -13,7 +13,7 @@ class SparseLu : public LinearSolver {
 
     /// @throws SingularMatrix; SolverError if memory does not suffice
     void factorise(const SparseMatrix& matrix) override;
-    Eigen::VectorXd solve(const Eigen::VectorXd& rightHandSide) override;
+    Eigen::MatrixXd solveAll(const Eigen::MatrixXd& rightHandSides) override;
     int nFree() const override;
     double nFactorEntries() const override;
     double bytes() const override;

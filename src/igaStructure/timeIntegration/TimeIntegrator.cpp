@@ -110,11 +110,7 @@ void TimeIntegrator::linearise(const VectorXd& displacement) {
 }
 
 Eigen::MatrixXd TimeIntegrator::responses(const Eigen::MatrixXd& forces) {
-    Eigen::MatrixXd result(forces.rows(), forces.cols());
-    for (Eigen::Index k = 0; k < forces.cols(); ++k) {
-        result.col(k) = (1 - scheme_.alphaF) * solver_->solve(forces.col(k));
-    }
-    return result;
+    return (1 - scheme_.alphaF) * solver_->solveAll(forces);
 }
 
 void TimeIntegrator::acceptTimeStep() {
