@@ -116,8 +116,7 @@ Eigen::MatrixXd SparseCholesky::solveAll(const Eigen::MatrixXd& rightHandSides) 
     own.requireOk("solution");
     Eigen::MatrixXd result(rightHandSides.rows(), nColumns);
     for (Eigen::Index k = 0; k < nColumns; ++k) {
-        result.col(k) =
-            own.part.extend(static_cast<const double*>(own.solutions->x) + k * nFree());
+        result.col(k) = own.part.extend(static_cast<const double*>(own.solutions->x) + k * nFree());
     }
     return result;
 }
