@@ -166,12 +166,37 @@ TEST(CaseFile, entries_that_exclude_each_other_are_reported) {
                 HasSubstr("loads[0]: give either edge and traction, or gravity alone"));
     EXPECT_THAT(mistake("  step: 0.01\n", "  step: 0.01\n  beta: 0.3\n"),
                 HasSubstr("time.beta: has no meaning with scheme generalisedAlpha"));
+    EXPECT_THAT(mistake("  step: 0.01\n", "  step: 0.01\n  scheme: static\n  substeps: 4\n"),
+                HasSubstr("time.substeps: has no meaning with scheme static"));
     EXPECT_THAT(mistake("  end: 0.1\n", ""), HasSubstr("time: entry 'end' is missing"));
     EXPECT_THAT(mistake("end: 0.1", "end: 0.001"), HasSubstr("shorter than one step"));
     EXPECT_THAT(mistake("output:", "coupling:\n  interface: [left]\n  acceleration: {type: aitken, "
                                    "reusedTimeSteps: 3}\noutput:"),
                 HasSubstr("coupling.acceleration.reusedTimeSteps: has no meaning with acceleration "
                           "type aitken"));
+}
+
+TEST(CaseFile, substeps_do_not_go_with_the_block_method) {
+    const std::string time = "time:\n";
+    const std::string text = exampleText("output:", "coupling:\n  interface: [left]\noutput:");
+    const auto withSubsteps = [&](std::string whole) {
+        return whole.replace(whole.find(time), time.size(), time + "  substeps: 4\n");
+    };
+    const Case given = readText(withSubsteps(text));
+    EXPECT_EQ(given.coupling->substeps, 4);
+    EXPECT_EQ(given.coupling->options.acceleration, coupling::Acceleration::iqnIls);
+    EXPECT_EQ(readText(text).coupling->substeps, 1);
+    std::string block = text;
+    block.replace(block.find("[left]\noutput"), 7, "[left]\n  acceleration: {type: block}\n");
+    EXPECT_EQ(readText(block).coupling->options.acceleration, coupling::Acceleration::block);
+    try {
+        readText(withSubsteps(block));
+        FAIL() << "accepted";
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("coupling.acceleration.type: 'block' does not go with "
+                                            "time.substeps 4"));
+        EXPECT_THAT(error.what(), HasSubstr("case.yaml:"));
+    }
 }
 
 TEST(CaseFile, nurbs_patch_that_does_not_fit_its_knots_is_reported_with_its_place) {

@@ -229,6 +229,15 @@ class NonlinearRestart : public RestartedRun {
         : RestartedRun(nonlinearCaseText() + "  acceleration: {type: " + acceleration + "}\n") {}
 };
 
+class NonlinearRestartWithSubsteps : public RestartedRun {
+  protected:
+    static std::string text() {
+        std::string text = nonlinearCaseText();
+        return text.replace(text.find("time:\n"), 6, "time:\n  substeps: 3\n");
+    }
+    NonlinearRestartWithSubsteps() : RestartedRun(text()) {}
+};
+
 class NonlinearRestartWithBlocks : public NonlinearRestart {
   protected:
     NonlinearRestartWithBlocks() : NonlinearRestart("block") {}
@@ -237,6 +246,10 @@ class NonlinearRestartWithBlocks : public NonlinearRestart {
 } // namespace
 
 TEST_F(NonlinearRestart, answers_bit_by_bit_what_the_uninterrupted_one_does) {
+    EXPECT_EQ(restart(), expected);
+}
+
+TEST_F(NonlinearRestartWithSubsteps, answers_bit_by_bit_what_the_uninterrupted_one_does) {
     EXPECT_EQ(restart(), expected);
 }
 

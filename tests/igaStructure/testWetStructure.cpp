@@ -52,7 +52,7 @@ struct Flap {
     std::unique_ptr<Body> body;
     PhaseTimer timer;
     WetBoundary boundary;
-    TimeIntegrator integrator;
+    SubsteppedIntegrator integrator;
     WetStructure structure;
 };
 

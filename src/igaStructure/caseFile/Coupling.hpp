@@ -18,6 +18,7 @@ struct Coupling {
     TransferMethod method = TransferMethod::nearestElement;
     std::vector<std::string> interface; ///< names of the wet parts; empty: all of a thin body
     double gapLimit;                    ///< relative to the interface's extent
+    int substeps = 1;                   ///< of the structure in a time step of the fluid
     coupling::CouplingOptions options;
 };
 

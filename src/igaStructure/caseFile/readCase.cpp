@@ -56,11 +56,11 @@ TimeScheme readTimeScheme(const CaseSection& section) {
         return TimeScheme::quasiStatic();
     }
     if (scheme == "newmark") {
-        requireUsed(section, {"scheme", "beta", "gamma", "step", "end", "smallestStep"},
+        requireUsed(section, {"scheme", "beta", "gamma", "step", "end", "smallestStep", "substeps"},
                     "scheme newmark");
         return TimeScheme::newmark(numberOr("beta", 0.25), numberOr("gamma", 0.5));
     }
-    requireUsed(section, {"scheme", "spectralRadius", "step", "end", "smallestStep"},
+    requireUsed(section, {"scheme", "spectralRadius", "step", "end", "smallestStep", "substeps"},
                 "scheme generalisedAlpha");
     return TimeScheme::generalisedAlpha(numberOr("spectralRadius", 0.8));
 }

@@ -83,8 +83,23 @@ double value(const NumberOption& option, const CouplingOptions& options) {
                       option.member);
 }
 
-void readAcceleration(const CaseSection& section, CouplingOptions& options) {
+// The tangent of the block method is that of one step of the structure.
+std::string readAccelerationType(const CaseSection& section, int substeps) {
     const std::string type = section.text("type");
+    if (substeps == 1 || type != "block") {
+        return type;
+    }
+    if (section.has("type")) {
+        throw section.error("type", fmt::format("'block' does not go with time.substeps {}: its "
+                                                "tangent is that of a single step; choose iqnIls "
+                                                "or mvqn, or remove time.substeps",
+                                                substeps));
+    }
+    return "iqnIls";
+}
+
+void readAcceleration(const CaseSection& section, int substeps, CouplingOptions& options) {
+    const std::string type = readAccelerationType(section, substeps);
     requireUsed(section, optionsOfAcceleration.at(type), "acceleration type " + type);
     options.acceleration = accelerations.at(type);
     for (const NumberOption& option : numberOptions) {
@@ -104,6 +119,13 @@ std::string nameOf(Value value, const std::map<std::string, Value>& names) {
                                     [&](const auto& named) { return named.second == value; });
     assert(found != names.end());
     return found->first;
+}
+
+std::string describeSubsteps(int substeps) {
+    return substeps == 1 ? ""
+                         : fmt::format("\n  {} steps of the structure in one of the fluid, "
+                                       "which excludes the acceleration block",
+                                       substeps);
 }
 
 std::string describeAcceleration(const CouplingOptions& options) {
@@ -162,7 +184,8 @@ Coupling readCoupling(const CaseSection& file) {
     Coupling result;
     readMapping(file.section("model").text("kinematics"), section, result);
     result.options.extrapolation = extrapolations.at(section.text("predictor"));
-    readAcceleration(section.section("acceleration"), result.options);
+    result.substeps = file.section("time").integer("substeps");
+    readAcceleration(section.section("acceleration"), result.substeps, result.options);
     const CaseSection convergence = section.section("convergence");
     result.options.absoluteDisplacement = convergence.number("absoluteDisplacement");
     result.options.relativeForce = convergence.number("relativeForce");
@@ -177,16 +200,17 @@ Coupling readCoupling(const CaseSection& file) {
 
 std::string describeCoupling(const Coupling& coupling) {
     const CouplingOptions& options = coupling.options;
-    return fmt::format(
-        "coupling: interface {}, {}, gap limit {:g}\n"
-        "  predictor {}\n"
-        "  acceleration {}\n"
-        "  absolute displacement {:g} m, relative force {:g}, absolute force {:g}\n",
-        coupling.interface.empty() ? "the whole body"
-                                   : fmt::format("{}", fmt::join(coupling.interface, " ")),
-        coupling.method == TransferMethod::offset ? "offset" : "nearest element", coupling.gapLimit,
-        nameOf(options.extrapolation, extrapolations), describeAcceleration(options),
-        options.absoluteDisplacement, options.relativeForce, options.absoluteForce);
+    return fmt::format("coupling: interface {}, {}, gap limit {:g}\n"
+                       "  predictor {}\n"
+                       "  acceleration {}{}\n"
+                       "  absolute displacement {:g} m, relative force {:g}, absolute force {:g}\n",
+                       coupling.interface.empty()
+                           ? "the whole body"
+                           : fmt::format("{}", fmt::join(coupling.interface, " ")),
+                       coupling.method == TransferMethod::offset ? "offset" : "nearest element",
+                       coupling.gapLimit, nameOf(options.extrapolation, extrapolations),
+                       describeAcceleration(options), describeSubsteps(coupling.substeps),
+                       options.absoluteDisplacement, options.relativeForce, options.absoluteForce);
 }
 
 } // namespace tokay::structure

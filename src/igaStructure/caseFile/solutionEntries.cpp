@@ -20,6 +20,8 @@ const std::vector<CaseEntry>& solutionEntries() {
      "newmark: 0.5 if not given; larger values dissipate and reduce the order to 1."},
     {"time.step", Kind::number, optional, "", "s", "(0, inf)", 0,
      "Time step of a run alone; a coupled run takes the fluid's. arcLength: of the first step; the displacement's change in it is the longest step along the path."},
+    {"time.substeps", Kind::integer, defaulted, "1", "", "[1, inf)", 0,
+     "generalisedAlpha, newmark, coupled: steps that the structure takes in one of the fluid, under the mean of the fluid's forces at its ends; a run alone takes time.step. More than 1: not with the acceleration block; iqnIls is taken if none is given."},
     {"time.smallestStep", Kind::number, optional, "", "s", "(0, inf)", 0,
      "Run alone: a step in which equilibrium is not found is taken in halves, down to this length, and in longer parts again after success; not if not given."},
     {"time.largestSteps", Kind::integer, optional, "", "", "[1, inf)", 0,

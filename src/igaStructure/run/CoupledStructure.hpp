@@ -28,7 +28,7 @@ class CoupledStructure : public StructureSide {
     const Case& case_;
     const WetBoundary& boundary_;
     PhaseTimer& timer_;
-    TimeIntegrator integrator_;
+    SubsteppedIntegrator integrator_;
     std::optional<StartState> start_;
     WetStructure structure_;
     std::unique_ptr<CouplingScheme> scheme_;

@@ -26,14 +26,14 @@ VectorXd WetStructure::answerTo(const VectorXd& loads) {
 }
 
 VectorXd WetStructure::residual(const VectorXd& d) {
-    return integrator_.requiredForce(d);
+    return integrator_.singleStep().requiredForce(d);
 }
 
 void WetStructure::factor(const VectorXd& d) {
     if (factoredAt_.size() == d.size() && factoredAt_ == d) {
         return;
     }
-    integrator_.linearise(d);
+    integrator_.singleStep().linearise(d);
     factoredAt_ = d;
     ++nIterations_;
 }

@@ -3,17 +3,17 @@
 #include "coupling/TangentStructure.hpp"
 #include "igaStructure/run/PhaseTimer.hpp"
 #include "igaStructure/run/WetBoundary.hpp"
-#include "igaStructure/timeIntegration/TimeIntegrator.hpp"
+#include "igaStructure/timeIntegration/SubsteppedIntegrator.hpp"
 
 namespace tokay::structure {
 
 /// A structure and the fluid's interface around it within a time step: what
-/// motion of the interface answers forces on it, and, as TangentStructure, the
-/// equations behind that.
+/// motion of the interface answers forces on it, and, as TangentStructure and
+/// without substeps, the equations behind that.
 class WetStructure : public coupling::TangentStructure {
   public:
     /// Borrows all.
-    WetStructure(const StructuralModel& model, TimeIntegrator& integrator,
+    WetStructure(const StructuralModel& model, SubsteppedIntegrator& integrator,
                  const WetBoundary& boundary, PhaseTimer& timer)
         : model_(model), integrator_(integrator), boundary_(boundary), timer_(timer) {}
 
@@ -38,14 +38,16 @@ class WetStructure : public coupling::TangentStructure {
 
     Eigen::VectorXd residual(const Eigen::VectorXd& d) override;
     void factor(const Eigen::VectorXd& d) override;
-    Eigen::MatrixXd solve(const Eigen::MatrixXd& b) override { return integrator_.responses(b); }
+    Eigen::MatrixXd solve(const Eigen::MatrixXd& b) override {
+        return integrator_.singleStep().responses(b);
+    }
     Eigen::VectorXd displacements(const Eigen::VectorXd& d) override;
     Eigen::MatrixXd variations(const Eigen::MatrixXd& D) override;
     Eigen::VectorXd loads(const Eigen::VectorXd& forces, const Eigen::VectorXd& d) override;
 
   private:
     const StructuralModel& model_;
-    TimeIntegrator& integrator_;
+    SubsteppedIntegrator& integrator_;
     const WetBoundary& boundary_;
     PhaseTimer& timer_;
     Eigen::VectorXd mappedAt_;

@@ -129,12 +129,16 @@ void TimeIntegrator::rejectTimeStep() {
     dropTangent();
 }
 
-void TimeIntegrator::restore(const MotionState& state, const Energies& energies) {
+void TimeIntegrator::goBack(const MotionState& state, const Energies& energies) {
     assert(state.displacement.size() == model_.nUnknowns());
     state_ = state;
     energies_ = energies;
     followerForce_ = followerForce(state_.displacement, state_.time);
     displacement_ = state_.displacement;
+}
+
+void TimeIntegrator::restore(const MotionState& state, const Energies& energies) {
+    goBack(state, energies);
     dropTangent();
 }
 

@@ -33,6 +33,10 @@ class TimeIntegrator {
     /// @param deltaT  [s]
     void beginTimeStep(double time, double deltaT);
 
+    /// The next solve() begins its iteration at this displacement at the end of the
+    /// step, in place of the accepted one. A linear structure does not look at it.
+    void startFrom(const Eigen::VectorXd& displacement) { displacement_ = displacement; }
+
     /// Displacement at the end of the step.
     /// @param interfaceForce  on the unknowns at the end of the step, beside
     ///                        the model's own loads [N]; empty: none
@@ -62,6 +66,10 @@ class TimeIntegrator {
     /// The next iteration takes a new tangent, so that what follows depends on the
     /// state alone: for whoever saves the state to go on from it later.
     void dropTangent() { tangentServes_ = false; }
+
+    /// Takes back accepted time steps to take them once more: keeps what has been
+    /// factored.
+    void goBack(const MotionState& state, const Energies& energies);
 
     /// Goes on from an earlier run's state, between two time steps.
     void restore(const MotionState& state, const Energies& energies);
