@@ -208,6 +208,14 @@ exchangePolicy()
     expectRefusal "residualControl has no entry for the velocity" "add 'U { tolerance 1e-4; relTol 0; }'"
 }
 
+property innerTolerances "an unknown choice of the pressure's tolerance is refused"
+innerTolerances()
+{
+    makeCase fluid
+    coupling innerTolerances loose
+    expectRefusal "'innerTolerances' is 'loose': it can be fixed or tied" "controlDict.functions.structure"
+}
+
 property timeControl "a time control of the function object is refused"
 timeControl()
 {

@@ -420,6 +420,7 @@ Foam::couplingSession::couplingSession
     interface_(mesh, selectPatches(mesh, dict), dict),
     force_(mesh, dict),
     residual_(name, force_.UName(), mesh, pimple_),
+    innerTolerances_(dict, mesh),
     rates_(mesh, force_.UName()),
     policy_(dict, residual_),
     audit_(mesh, dict),
@@ -450,6 +451,7 @@ Foam::couplingSession::couplingSession
     {
         Info<< "    strong coupling, tolerance " << residual_.tolerance()
             << endl;
+        innerTolerances_.announce();
     }
     Info<< structure_.start(message).c_str() << endl;
 }
@@ -490,6 +492,7 @@ const Foam::vectorField& Foam::couplingSession::displacement
     }
     corrector_ = pimple_.corr();
     rates_.keepNew();
+    innerTolerances_.beginCorrector(pimple_.finalIter());
 
     return displacement_[interface_.patches().find(patchi)];
 }

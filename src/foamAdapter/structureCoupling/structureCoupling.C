@@ -121,7 +121,8 @@ Foam::functionObjects::structureCoupling::structureCoupling
         {
             "patches", "rho", "pRef", "viscous", "p", "U", "onUnconverged",
             "retry",
-            "exchange", "exchangeInterval", "conservationLimit",
+            "exchange", "exchangeInterval", "innerTolerances",
+            "conservationLimit",
             "structure",
             // Those of any function object
             "type", "libs", "functionObjectLibs", "enabled", "log", "region",
