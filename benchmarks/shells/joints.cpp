@@ -26,7 +26,7 @@ struct Method {
     std::vector<double> factors; ///< the usual one first
 };
 const std::array<Method, 3> methods = {{{"penalty", EdgeMethod::penalty, {1e3, 1e1, 1e5, 1e7}},
-                                        {"nitsche", EdgeMethod::nitsche, {1, 0.1, 10, 1e3}},
+                                        {"nitsche", EdgeMethod::nitsche, {1, 0.5, 10, 1e3}},
                                         {"lagrange", EdgeMethod::lagrange, {1e6, 1e2, 1e4, 1e8}}}};
 
 // Differences in percent from the whole roof on a fine mesh.

@@ -81,6 +81,13 @@ TEST(ShellEdges, errors_of_nitsche_and_lagrange_fall_with_the_order_of_the_degre
     }
 }
 
+TEST(ShellEdges, springs_of_nitsche_do_not_lock_the_deflection_of_coarse_meshes) {
+    // Springs that hold every sliver by its worst point cost half an order of w there (3.3).
+    const DiscError coarse = solvedDisc(EdgeMethod::nitsche, 3, 12, 2);
+    const DiscError fine = solvedDisc(EdgeMethod::nitsche, 3, 24, 2);
+    EXPECT_GT(std::log2(coarse.deflection / fine.deflection), 4 - 0.2);
+}
+
 TEST(ShellEdges, joined_plates_bend_as_one_whatever_the_method) {
     // Cantilever of length 2 under an end force: w = F L^3 / (3 D), which cubics hold
     // exactly; penalty gives way by about a thousandth.

@@ -3,7 +3,7 @@
 #include "igaStructure/model/shell/CutFractions.hpp"
 #include "igaStructure/model/shell/EdgeTraction.hpp"
 #include "igaStructure/model/shell/NodeUnion.hpp"
-#include "igaStructure/model/shell/ShellElement.hpp"
+#include "igaStructure/model/shell/TractionBounds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,106 +41,45 @@ EdgeSpring::Answer NitscheSpring::answer(const VectorXd& displacement, Strains,
 
 namespace {
 
-// Largest square of a polynomial, or of its slope, at a distance from an interval of
-// length 1 (0: at its end) over the integral of its square: sums over Legendre's
-// polynomials.
-struct InverseConstants {
-    double value = 0, slope = 0;
-
-    InverseConstants(int degree, double distance) {
-        const double x = 1 + 2 * distance;
-        double before = 0, now = 1, slopeBefore = 0, slopeNow = 0;
-        for (int k = 0; k <= degree; ++k) {
-            value += (2 * k + 1) * now * now;
-            slope += (2 * k + 1) * 4 * slopeNow * slopeNow;
-            const double next = ((2 * k + 1) * x * now - k * before) / (k + 1);
-            const double slopeNext = slopeBefore + (2 * k + 1) * now;
-            before = now;
-            now = next;
-            slopeBefore = slopeNow;
-            slopeNow = slopeNext;
-        }
-    }
-};
-
-// Bounds of the square of a traction on the edge over the energy of the elements it is
-// taken from: of membrane forces, of shear forces, of moments.
-struct Bounds {
-    double membrane = 0, shear = 0, moment = 0;
-
-    void enlarge(const Bounds& other) {
-        membrane = std::max(membrane, other.membrane);
-        shear = std::max(shear, other.shear);
-        moment = std::max(moment, other.moment);
-    }
-};
-
 // One side of an edge: the elements whose tractions are taken.
 class Side {
   public:
-    Side(const ShellPatch& patch, const SideStiffness& stiffness)
-        : patch_(patch), stiffness_(stiffness), fractions_(patch) {}
+    Side(const ShellPatch& patch, const HeldMotion& held)
+        : patch_(patch), held_(held), fractions_(patch) {}
 
-    void add(const PatchPlace& place, double weight) {
-        Source& source = sources_[fractions_.standIn(place.element)];
-        source.length += weight;
-        source.size = place.size;
-        const geometry::ParameterBox box =
-            patch_.patch().elementBox(fractions_.standIn(place.element));
-        const Eigen::Vector2d outside = (place.parameters - box.upper)
-                                            .cwiseMax(box.lower - place.parameters)
-                                            .cwiseQuotient(box.size());
-        source.distance = std::max(source.distance, outside.maxCoeff());
+    /// The place is borrowed until findBounds().
+    void add(const PatchPlace& place, double length) {
+        pieces_[fractions_.standIn(place.element)].push_back({&place, length});
     }
 
     void findBounds() {
-        for (auto& [element, source] : sources_) {
-            source.bounds = boundsOf(element, source);
-            largest_.enlarge(source.bounds);
+        for (const auto& [element, pieces] : pieces_) {
+            bounds_[element] = tractionBounds(patch_, element, pieces, held_);
+            largest_.enlarge(bounds_[element]);
         }
+        pieces_.clear();
     }
 
     EdgeTraction traction(const PatchPlace& place) const {
-        return {place, fractions_.standIn(place.element), stiffness_.bending > 0};
+        return {place, fractions_.standIn(place.element), held_.bending};
     }
-    const Bounds& bounds(const PatchPlace& place) const {
-        return sources_.at(fractions_.standIn(place.element)).bounds;
+    const TractionBounds& bounds(const PatchPlace& place) const {
+        return bounds_.at(fractions_.standIn(place.element));
     }
-    const Bounds& largest() const { return largest_; }
+    /// Of what is held that is stiffest.
+    double largest() const {
+        return !held_.bending       ? largest_.membrane
+               : held_.displacement ? largest_.shear
+                                    : largest_.moment;
+    }
 
   private:
-    struct Source {
-        double length = 0, size = 0, distance = 0;
-        Bounds bounds;
-    };
-
-    double area(int number) const {
-        ShellElement element;
-        element.moveTo(patch_, number % patch_.u().nSpans(), number / patch_.u().nSpans());
-        double sum = 0;
-        for (int point = 0; point < element.nPoints(); ++point) {
-            element.moveToPoint(point);
-            sum += element.area();
-        }
-        return sum;
-    }
-
-    Bounds boundsOf(int element, const Source& source) const {
-        const int degree = std::max(patch_.surface().u().degree(), patch_.surface().v().degree());
-        const InverseConstants constants(degree, source.distance);
-        const double width = std::min(area(element) / source.length, source.size);
-        // Of C, divided by the stiffness, the largest eigenvalue is 1 + nu.
-        constexpr double most = 1.5;
-        return {most * stiffness_.membrane * constants.value / width,
-                most * stiffness_.bending * constants.slope / std::pow(width, 3),
-                most * stiffness_.bending * constants.value / width};
-    }
-
     const ShellPatch& patch_;
-    SideStiffness stiffness_;
+    HeldMotion held_;
     CutFractions fractions_;
-    std::map<int, Source> sources_;
-    Bounds largest_;
+    std::map<int, std::vector<EdgePiece>> pieces_;
+    std::map<int, TractionBounds> bounds_;
+    TractionBounds largest_;
 };
 
 // Displacement, its derivative along the edge and the rotation at a place.
@@ -162,32 +101,33 @@ MatrixXd tractionRows(const EdgeTraction& traction) {
     return rows;
 }
 
-// The share of the energy that each of the terms may take is a quarter.
-MatrixXd stabilisation(const Bounds& bounds, const Vector3d& normal, bool bending) {
-    constexpr double shares = 4;
+// Two edges may meet in an element; each takes a third of its energy at most.
+MatrixXd stabilisation(const TractionBounds& bounds, const Vector3d& normal, bool bending) {
+    constexpr double share = 3;
     const Matrix3d across = normal * normal.transpose();
     MatrixXd matrix = MatrixXd::Zero(7, 7);
     matrix.topLeftCorner<3, 3>() = bounds.membrane * Matrix3d::Identity();
     if (bending) {
         matrix.topLeftCorner<3, 3>() += (bounds.shear - bounds.membrane) * across;
     }
-    matrix.block<3, 3>(3, 3) = bounds.moment * across;
+    matrix.block<3, 3>(3, 3) = bounds.twist * across;
     matrix(6, 6) = bounds.moment;
-    return shares * matrix;
+    return share * matrix;
 }
 
 class Builder {
   public:
     Builder(const std::vector<EdgePoint>& points, const std::array<bool, 3>& components,
-            bool rotation, const std::array<SideStiffness, 2>& stiffness, double factor)
-        : factor_(factor), bending_(stiffness[0].bending > 0) {
+            bool rotation, bool bending, double factor)
+        : factor_(factor), bending_(bending) {
         for (int c = 0; c < 3; ++c) {
             held_[c] = held_[3 + c] = components[c] ? 1 : 0;
         }
         held_[6] = rotation ? 1 : 0;
-        sides_.emplace_back(*points.front().side.patch, stiffness[0]);
+        const HeldMotion held{components != std::array<bool, 3>{}, rotation, bending};
+        sides_.emplace_back(*points.front().side.patch, held);
         if (points.front().other) {
-            sides_.emplace_back(*points.front().other->patch, stiffness[1]);
+            sides_.emplace_back(*points.front().other->patch, held);
         }
         for (const EdgePoint& point : points) {
             sides_[0].add(point.side, point.weight);
@@ -199,10 +139,7 @@ class Builder {
             side.findBounds();
         }
         if (sides_.size() > 1) {
-            const auto decisive = [&](const Side& side) {
-                return bending_ ? side.largest().shear : side.largest().membrane;
-            };
-            const double first = decisive(sides_[0]), second = decisive(sides_[1]);
+            const double first = sides_[0].largest(), second = sides_[1].largest();
             weights_ = {second / (first + second), first / (first + second)};
         }
     }
@@ -256,14 +193,15 @@ class Builder {
 
 } // namespace
 
-std::vector<std::unique_ptr<EdgeSpring>>
-nitscheSprings(const std::vector<EdgePoint>& points, const std::array<bool, 3>& components,
-               bool rotation, const std::array<SideStiffness, 2>& sides, double factor) {
+std::vector<std::unique_ptr<EdgeSpring>> nitscheSprings(const std::vector<EdgePoint>& points,
+                                                        const std::array<bool, 3>& components,
+                                                        bool rotation, bool bending,
+                                                        double factor) {
     std::vector<std::unique_ptr<EdgeSpring>> springs;
     if (points.empty()) {
         return springs;
     }
-    const Builder builder(points, components, rotation, sides, factor);
+    const Builder builder(points, components, rotation, bending, factor);
     for (const EdgePoint& point : points) {
         springs.push_back(builder.spring(point));
     }

@@ -29,22 +29,16 @@ class NitscheSpring : public EdgeSpring {
     Eigen::MatrixXd held_, traction_, stabilisation_;
 };
 
-/// Stiffness of a side of an edge.
-struct SideStiffness {
-    double membrane; ///< E t / (1 - nu^2) [N/m]
-    double bending;  ///< E t^3 / 12 / (1 - nu^2) [N m]; 0: a membrane
-};
-
 /// Springs of all points of an edge that is held or at which two patches meet. The
 /// tractions of two sides are weighted so that the softer one counts; those of a
 /// sliver are its neighbour's, continued.
 /// Source of the weights: Annavarapu, Hautefeuille & Dolbow 2012
 /// @param components  of the displacement, that are held
 /// @param rotation    whether the rotation about the edge is held
-/// @param sides       of the second one nothing is used if the points have one
-/// @param factor      on the stabilisation; below 1 it may not suffice
-std::vector<std::unique_ptr<EdgeSpring>>
-nitscheSprings(const std::vector<EdgePoint>& points, const std::array<bool, 3>& components,
-               bool rotation, const std::array<SideStiffness, 2>& sides, double factor);
+/// @param bending     false: membranes
+/// @param factor      on the stabilisation; below 1/3 it may not suffice
+std::vector<std::unique_ptr<EdgeSpring>> nitscheSprings(const std::vector<EdgePoint>& points,
+                                                        const std::array<bool, 3>& components,
+                                                        bool rotation, bool bending, double factor);
 
 } // namespace tokay::structure

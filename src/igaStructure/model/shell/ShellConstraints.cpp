@@ -50,6 +50,12 @@ std::optional<int> normalAxis(const std::vector<EdgePoint>& points) {
     return std::nullopt;
 }
 
+// Of a patch.
+struct SideStiffness {
+    double membrane; ///< E t / (1 - nu^2) [N/m]
+    double bending;  ///< E t^3 / 12 / (1 - nu^2) [N m]; 0: a membrane
+};
+
 class Builder {
   public:
     Builder(const ShellDescription& description, const ShellPatches& patches, int nNodes)
@@ -180,7 +186,7 @@ class Builder {
         const std::vector<EdgePoint> points = creasePoints(*patches_[face]);
         const SideStiffness own = stiffness(face);
         if (method_ == EdgeMethod::nitsche) {
-            append(nitscheSprings(points, {}, true, {own, own}, factor(EdgeMethod::nitsche)));
+            append(nitscheSprings(points, {}, true, true, factor(EdgeMethod::nitsche)));
         } else {
             addPenaltySprings(points, {}, true, {factor(method_), own.membrane, own.bending});
         }
@@ -209,8 +215,8 @@ class Builder {
             addPenaltySprings(points, components, rotation,
                               {factor(EdgeMethod::penalty), softer.membrane, softer.bending});
         } else if (method_ == EdgeMethod::nitsche && trims) {
-            append(
-                nitscheSprings(points, components, rotation, sides, factor(EdgeMethod::nitsche)));
+            append(nitscheSprings(points, components, rotation, description_.bending,
+                                  factor(EdgeMethod::nitsche)));
         } else {
             append(
                 lagrangeSprings(points, components, rotation,
