@@ -13,8 +13,8 @@ set yrange [-0.6:1]
 set ytics 0.2
 set key bottom left Left reverse samplen 2
 set xtics 20
-plot csv using (1000*$4):(pick("harmonicBasis-linear", 0, 6)) with linespoints linewidth 2 title "harmonicBasis, linear", \
-     csv using (1000*$4):(pick("harmonicBasis-quadratic", 0, 6)) with linespoints linewidth 2 title "harmonicBasis, quadratic", \
+plot csv using (1000*$4):(pick("harmonicBasis-root", 0, 6)) with linespoints linewidth 2 title "harmonicBasis", \
+     csv using (1000*$4):(pick("harmonicBasis-linear-noRotation", 0, 6)) with linespoints linewidth 2 title "without rotation, linear", \
      csv using (1000*$4):(pick("displacementLaplacian-linear-1", 0, 6)) with linespoints title "displacementLaplacian, linear, 1 sweep", \
      csv using (1000*$4):(pick("displacementLaplacian-linear-60", 0, 6)) with linespoints title "60 sweeps", \
      csv using (1000*$4):(pick("displacementLaplacian-quadratic-60", 0, 6)) with linespoints title "quadratic, 60 sweeps"
@@ -22,8 +22,8 @@ set ylabel "largest non-orthogonality [degrees]"
 set yrange [45:95]
 set ytics 10
 unset key
-plot csv using (1000*$4):(pick("harmonicBasis-linear", 0, 5)) with linespoints linewidth 2, \
-     csv using (1000*$4):(pick("harmonicBasis-quadratic", 0, 5)) with linespoints linewidth 2, \
+plot csv using (1000*$4):(pick("harmonicBasis-root", 0, 5)) with linespoints linewidth 2, \
+     csv using (1000*$4):(pick("harmonicBasis-linear-noRotation", 0, 5)) with linespoints linewidth 2, \
      csv using (1000*$4):(pick("displacementLaplacian-linear-1", 0, 5)) with linespoints, \
      csv using (1000*$4):(pick("displacementLaplacian-linear-60", 0, 5)) with linespoints, \
      csv using (1000*$4):(pick("displacementLaplacian-quadratic-60", 0, 5)) with linespoints

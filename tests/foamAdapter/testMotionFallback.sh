@@ -93,6 +93,7 @@ laplacian()
     makeSway fallback
     basis memoryLimit 0.001
     basis fallbackSweeps 300
+    basis diffusivity 'quadratic inverseDistance (flap)'
     runFluid
     expectText log.pimpleFoam "displacementLaplacian with 300 sweeps"
     movedPoints constant/polyMesh/points 0.03/polyMesh/points | awk '{ print $4, $5 }' > ../fallback.moved

@@ -14,6 +14,32 @@ License
 #include "bitSet.H"
 #include "twoDPointCorrector.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Points that take less of a translation of the boundary do not turn with it
+//  (they would by less than the fourth power of this)
+constexpr scalar leastShare = 0.01;
+
+//- What a rotation changes of a vector (Rodrigues)
+//  \param angle  along the axis, of the angle's length [rad]
+static vector turned(const vector& v, const vector& angle)
+{
+    const scalar size = mag(angle);
+    if (size < SMALL)
+    {
+        return angle ^ v;
+    }
+    const vector axis(angle/size);
+    const vector across(axis ^ v);
+    return sin(size)*across + (1 - cos(size))*(axis ^ across);
+}
+
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::harmonicBasis::pairPoints()
@@ -89,6 +115,46 @@ void Foam::harmonicBasis::keepMovingRows()
 }
 
 
+Foam::vectorField Foam::harmonicBasis::product
+(
+    const vectorField& ofFunctions
+) const
+{
+    vectorField sums(rows_.size(), Zero);
+    forAll(W_, function)
+    {
+        const scalarField& values = W_[function];
+        const vector& factor = ofFunctions[function];
+        forAll(values, row)
+        {
+            sums[row] += values[row]*factor;
+        }
+    }
+    return sums;
+}
+
+
+void Foam::harmonicBasis::setOffsets(const pointField& points0)
+{
+    const vectorField ones(size(), vector::uniform(1));
+    const scalarField shares(product(ones).component(vector::X));
+    const vectorField feet(product(functions_.controlPoints()));
+    offsets_ = boundary_.inPlane(vectorField(points0, rows_));
+    forAll(offsets_, row)
+    {
+        if (shares[row] > leastShare)
+        {
+            offsets_[row] -= feet[row]/shares[row];
+        }
+        else
+        {
+            offsets_[row] = Zero;
+        }
+    }
+    fades_ = pow3(shares);
+}
+
+
 // * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
 
 Foam::scalar Foam::harmonicBasis::memory
@@ -111,15 +177,21 @@ Foam::harmonicBasis::harmonicBasis
     const movingBoundary& boundary,
     const pointField& points0,
     const label n,
-    Istream& diffusivity
+    Istream& diffusivity,
+    const bool rotation
 )
 :
     boundary_(boundary),
-    functions_(boundary.places(points0), n)
+    functions_(boundary.places(points0), boundary.areas(points0), n),
+    rotation_(rotation)
 {
     pairPoints();
     extend(points0, diffusivity);
     keepMovingRows();
+    if (rotation_)
+    {
+        setOffsets(points0);
+    }
 }
 
 
@@ -143,6 +215,10 @@ Foam::scalar Foam::harmonicBasis::fit()
 {
     const vectorField displacement(boundary_.displacement());
     coefficients_ = functions_.coefficients(displacement);
+    if (rotation_)
+    {
+        rotations_ = functions_.rotations(coefficients_);
+    }
     return functions_.residual(displacement, coefficients_);
 }
 
@@ -150,15 +226,31 @@ Foam::scalar Foam::harmonicBasis::fit()
 void Foam::harmonicBasis::apply(vectorField& onPoints) const
 {
     vectorField displacement(rows_.size(), Zero);
-    forAll(W_, function)
+    if (rotation_)
     {
-        const scalarField& values = W_[function];
-        const vector& coefficient = coefficients_[function];
-        forAll(values, row)
+        // Both products at once: reading W takes the time
+        vectorField angle(rows_.size(), Zero);
+        forAll(W_, function)
         {
-            displacement[row] += values[row]*coefficient;
+            const scalarField& values = W_[function];
+            const vector& coefficient = coefficients_[function];
+            const vector& rotation = rotations_[function];
+            forAll(values, row)
+            {
+                displacement[row] += values[row]*coefficient;
+                angle[row] += values[row]*rotation;
+            }
+        }
+        forAll(displacement, row)
+        {
+            displacement[row] += turned(offsets_[row], fades_[row]*angle[row]);
         }
     }
+    else
+    {
+        displacement = product(coefficients_);
+    }
+
     onPoints = Zero;
     UIndirectList<vector>(onPoints, rows_) = displacement;
     forAll(planePoints_, i)

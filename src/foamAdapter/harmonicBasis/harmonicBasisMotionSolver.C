@@ -60,6 +60,7 @@ const Foam::dictionary& Foam::harmonicBasisMotionSolver::checkedCoeffs() const
             "patches",
             "nFunctions",
             "diffusivity",
+            "rotation",
             "fitLimit",
             "memoryLimit",
             "fallback",
@@ -70,7 +71,10 @@ const Foam::dictionary& Foam::harmonicBasisMotionSolver::checkedCoeffs() const
 }
 
 
-Foam::string Foam::harmonicBasisMotionSolver::diffusivity() const
+Foam::string Foam::harmonicBasisMotionSolver::diffusivity
+(
+    const string& ownPower
+) const
 {
     OStringStream type;
     if (coeffDict().found("diffusivity"))
@@ -82,7 +86,7 @@ Foam::string Foam::harmonicBasisMotionSolver::diffusivity() const
     }
     else
     {
-        type << "quadratic inverseDistance " << boundary_.names();
+        type << ownPower.c_str() << "inverseDistance " << boundary_.names();
     }
     return type.str();
 }
@@ -115,11 +119,18 @@ Foam::string Foam::harmonicBasisMotionSolver::build(const label n)
     if (reason.empty())
     {
         const clockTime clock;
-        IStringStream diffusivityStream(diffusivity());
+        IStringStream diffusivityStream(diffusivity("power 0.5 "));
         basis_.clear();
         basis_.reset
         (
-            new harmonicBasis(boundary_, points0(), n, diffusivityStream)
+            new harmonicBasis
+            (
+                boundary_,
+                points0(),
+                n,
+                diffusivityStream,
+                rotation_
+            )
         );
         nFunctions_ = basis_->size();
         state_.set("nFunctions", nFunctions_);
@@ -138,6 +149,7 @@ Foam::string Foam::harmonicBasisMotionSolver::addFunctions
 )
 {
     const pointField places(boundary_.places(points0()));
+    const vectorField areas(boundary_.areas(points0()));
     const vectorField displacement(boundary_.displacement());
     label n = basis_->size();
     bool isComplete = basis_->isComplete();
@@ -161,7 +173,7 @@ Foam::string Foam::harmonicBasisMotionSolver::addFunctions
         {
             return misses.str() + reason;
         }
-        const interfaceFunctions more(places, 2*n);
+        const interfaceFunctions more(places, areas, 2*n);
         missed = more.residual(displacement, more.coefficients(displacement));
         n = more.size();
         isComplete = more.isComplete();

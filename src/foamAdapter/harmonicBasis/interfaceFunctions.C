@@ -28,6 +28,89 @@ constexpr scalar samePlace = 1e-9;
 //  largest extent carries no linear function
 constexpr scalar flat = 1e-3;
 
+//- A field of each rank, on all of them
+static List<vectorField> onAllRanks(const vectorField& values)
+{
+    List<vectorField> ofRanks(Pstream::nProcs());
+    ofRanks[Pstream::myProcNo()] = values;
+    Pstream::gatherList(ofRanks);
+    Pstream::scatterList(ofRanks);
+    return ofRanks;
+}
+
+//- One rank's values after another's
+static vectorField inOne(const List<vectorField>& ofRanks)
+{
+    return ListListOps::combine<vectorField>(ofRanks, accessOp<vectorField>());
+}
+
+//- Where areas at a place add up to less than this share of the largest, they
+//  face each other
+constexpr scalar cancels = 0.1;
+
+//- Two tangents and the normal, as columns
+static tensor frame(const vector& normal)
+{
+    const vector sizes(cmptMag(normal));
+    const vector axis
+    (
+        sizes.x() <= min(sizes.y(), sizes.z()) ? vector(1, 0, 0)
+      : sizes.y() <= sizes.z() ? vector(0, 1, 0)
+      : vector(0, 0, 1)
+    );
+    const vector first(normalised(normal ^ axis));
+    return tensor(first, normal ^ first, normal).T();
+}
+
+//- The rotation of the polar decomposition, by Newton's method (Higham 1986)
+static tensor rotationOf(tensor F)
+{
+    scalar change = GREAT;
+    for (label pass = 0; pass < 50 && change > 1e-14; ++pass)
+    {
+        const tensor next(0.5*(F + inv(F).T()));
+        change = mag(next - F);
+        F = next;
+    }
+    return F;
+}
+
+//- Along the axis of a rotation, of its angle's length
+static vector rotationVector(const tensor& R)
+{
+    const vector twiceSine(R.zy() - R.yz(), R.xz() - R.zx(), R.yx() - R.xy());
+    const scalar sine = 0.5*mag(twiceSine);
+    const scalar angle = atan2(sine, 0.5*(tr(R) - 1));
+    return sine > SMALL ? vector(twiceSine*(0.5*angle/sine)) : vector(Zero);
+}
+
+//- The point with the largest value; of those that share it the first in space,
+//  whatever the order of the ranks
+static label firstOfMost(const scalarField& values, const pointField& points)
+{
+    const auto isBefore = [](const point& a, const point& b)
+    {
+        return
+            a.x() != b.x() ? a.x() < b.x()
+          : a.y() != b.y() ? a.y() < b.y()
+          : a.z() < b.z();
+    };
+    const scalar limit = (1 - samePlace)*max(values);
+    label first = -1;
+    forAll(values, i)
+    {
+        if
+        (
+            values[i] >= limit
+         && (first < 0 || isBefore(points[i], points[first]))
+        )
+        {
+            first = i;
+        }
+    }
+    return first;
+}
+
 //- Orthogonal directions in which points extend from their centre, of length 1
 //  over the extent
 static List<vector> extents(vectorField fromCentre, const scalar extent)
@@ -62,7 +145,7 @@ void Foam::interfaceFunctions::chooseControls(const label n)
     DynamicList<label> controls(n);
     while (controls.size() < n)
     {
-        const label next = findMax(distance);
+        const label next = firstOfMost(distance, allPoints_);
         if (controls.size() > 0 && distance[next] <= limit)
         {
             break;
@@ -97,6 +180,23 @@ Foam::scalarField Foam::interfaceFunctions::terms(const point& x) const
 }
 
 
+Foam::vectorField Foam::interfaceFunctions::termGradients(const point& x) const
+{
+    const label n = size();
+    vectorField gradient(n + 1 + directions_.size(), Zero);
+    for (label i = 0; i < n; ++i)
+    {
+        const vector r((x - controlPoints_[i])/extent_);
+        gradient[i] = 3*mag(r)*r/extent_;
+    }
+    forAll(directions_, i)
+    {
+        gradient[n + 1 + i] = directions_[i];
+    }
+    return gradient;
+}
+
+
 Foam::List<Foam::scalarField> Foam::interfaceFunctions::weights() const
 {
     const label n = size();
@@ -124,9 +224,8 @@ Foam::List<Foam::scalarField> Foam::interfaceFunctions::weights() const
 }
 
 
-void Foam::interfaceFunctions::setValues()
+void Foam::interfaceFunctions::setValues(const List<scalarField>& weight)
 {
-    const List<scalarField> weight(weights());
     values_ = List<scalarField>(size(), scalarField(points_.size()));
     forAll(points_, i)
     {
@@ -139,34 +238,69 @@ void Foam::interfaceFunctions::setValues()
 }
 
 
+Foam::vector Foam::interfaceFunctions::normal(const point& x) const
+{
+    const scalar limit = samePlace*extent_;
+    vector sum(Zero);
+    vector largest(Zero);
+    forAll(allPoints_, i)
+    {
+        if (mag(allPoints_[i] - x) <= limit)
+        {
+            sum += allAreas_[i];
+            if (magSqr(allAreas_[i]) > magSqr(largest))
+            {
+                largest = allAreas_[i];
+            }
+        }
+    }
+    return normalised(mag(sum) > cancels*mag(largest) ? sum : largest);
+}
+
+
+void Foam::interfaceFunctions::setSlopes(const List<scalarField>& weight)
+{
+    frames_.setSize(size());
+    slopes_ = List<List<Pair<scalar>>>(size(), List<Pair<scalar>>(size()));
+    forAll(frames_, i)
+    {
+        const point& x = controlPoints_[i];
+        frames_[i] = frame(normal(x));
+        const vectorField gradient(termGradients(x));
+        forAll(weight, function)
+        {
+            const vector slope(sum(weight[function]*gradient));
+            slopes_[i][function].first() = slope & frames_[i].cx();
+            slopes_[i][function].second() = slope & frames_[i].cy();
+        }
+    }
+}
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::interfaceFunctions::interfaceFunctions
 (
     const pointField& points,
+    const vectorField& areas,
     const label n
 )
 :
     points_(points)
 {
-    List<pointField> ofRanks(Pstream::nProcs());
-    ofRanks[Pstream::myProcNo()] = points;
-    Pstream::gatherList(ofRanks);
-    Pstream::scatterList(ofRanks);
-
+    const List<vectorField> ofRanks(onAllRanks(points));
     offset_ = 0;
     for (label rank = 0; rank < Pstream::myProcNo(); ++rank)
     {
         offset_ += ofRanks[rank].size();
     }
-    allPoints_ =
-        ListListOps::combine<pointField>(ofRanks, accessOp<pointField>());
+    allPoints_ = inOne(ofRanks);
+    allAreas_ = inOne(onAllRanks(areas));
 
     chooseControls(n);
-    setValues();
+    const List<scalarField> weight(weights());
+    setValues(weight);
+    setSlopes(weight);
 }
-
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 bool Foam::interfaceFunctions::isComplete() const
@@ -180,6 +314,33 @@ bool Foam::interfaceFunctions::isComplete() const
         }
     }
     return true;
+}
+
+
+Foam::vectorField Foam::interfaceFunctions::rotations
+(
+    const vectorField& coefficients
+) const
+{
+    vectorField result(size(), Zero);
+    forAll(result, i)
+    {
+        vector first(frames_[i].cx());
+        vector second(frames_[i].cy());
+        forAll(coefficients, function)
+        {
+            first += slopes_[i][function].first()*coefficients[function];
+            second += slopes_[i][function].second()*coefficients[function];
+        }
+        const vector area(first ^ second);
+        if (mag(area) > SMALL)
+        {
+            const tensor turned(tensor(first, second, normalised(area)).T());
+            result[i] =
+                rotationVector(rotationOf(turned & frames_[i].T()));
+        }
+    }
+    return result;
 }
 
 

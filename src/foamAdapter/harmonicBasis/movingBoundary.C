@@ -158,17 +158,38 @@ Foam::wordList Foam::movingBoundary::names() const
 }
 
 
-Foam::pointField Foam::movingBoundary::places(const pointField& points) const
+Foam::vectorField Foam::movingBoundary::inPlane(vectorField vectors) const
 {
-    pointField places(points, points_);
     for (direction cmpt = 0; cmpt < vector::nComponents; ++cmpt)
     {
         if (mesh_.geometricD()[cmpt] < 0)
         {
-            places.replace(cmpt, 0);
+            vectors.replace(cmpt, 0);
         }
     }
-    return places;
+    return vectors;
+}
+
+
+Foam::pointField Foam::movingBoundary::places(const pointField& points) const
+{
+    return inPlane(vectorField(points, points_));
+}
+Foam::vectorField Foam::movingBoundary::areas(const pointField& points) const
+{
+    vectorField onPoints(mesh_.nPoints(), Zero);
+    for (const label patchi : patches_)
+    {
+        for (const face& f : mesh_.boundaryMesh()[patchi])
+        {
+            const vector part(f.areaNormal(points)/f.size());
+            for (const label pointi : f)
+            {
+                onPoints[pointi] += part;
+            }
+        }
+    }
+    return vectorField(onPoints, points_);
 }
 
 
