@@ -10,6 +10,7 @@ using namespace tokay;
 using namespace tokay::structure;
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 namespace {
 
@@ -88,6 +89,23 @@ TEST(Program, check_prints_the_model_and_runs_nothing) {
     EXPECT_EQ(program.wait(), 0);
     EXPECT_THAT(program.output(), HasSubstr("66 unknowns"));
     EXPECT_FALSE(std::filesystem::exists(directory.file("postProcessing")));
+}
+
+TEST(Program, check_warns_of_a_processor_that_OpenBLAS_does_not_know) {
+    if (!__builtin_cpu_supports("avx2")) {
+        GTEST_SKIP() << "Prescott's kernels are the right ones here";
+    }
+    const TemporaryDirectory directory;
+    const std::string file = directory.write("case.yaml", exampleText());
+    const auto outputWith = [&](const char* kernels) {
+        setenv("OPENBLAS_CORETYPE", kernels, 1);
+        ChildProgram program({"check", file});
+        EXPECT_EQ(program.wait(), 0);
+        unsetenv("OPENBLAS_CORETYPE");
+        return program.output();
+    };
+    EXPECT_THAT(outputWith("Prescott"), HasSubstr("export OPENBLAS_CORETYPE=Haswell"));
+    EXPECT_THAT(outputWith("Haswell"), Not(HasSubstr("OPENBLAS_CORETYPE")));
 }
 
 TEST(Program, run_alone_succeeds) {

@@ -40,6 +40,11 @@ std::string blasLibrary() {
     return path ? path.get() : info.dli_fname;
 }
 
+bool blasKnowsProcessor() {
+    static auto* const kernels = blasFunction<char*()>("openblas_get_corename");
+    return !(kernels && std::string(kernels()) == "Prescott" && __builtin_cpu_supports("avx2"));
+}
+
 BlasThreads::BlasThreads(double nOperations) {
     if (nOperations < smallWork && nThreads() > 1) {
         before_ = nThreads();

@@ -7,6 +7,10 @@ namespace tokay::structure {
 /// Path of the library that does the dense products: OpenBLAS or a slower one.
 std::string blasLibrary();
 
+/// Whether OpenBLAS knows this processor, if it is the library: else it takes the
+/// kernels of the first ones with 64 bits, which are several times slower.
+bool blasKnowsProcessor();
+
 /// Keeps OpenBLAS to one thread while it lives, if the work is small: waking and
 /// awaiting others then costs more than it brings, above all on a machine that
 /// the fluid keeps busy.

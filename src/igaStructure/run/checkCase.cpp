@@ -45,6 +45,10 @@ std::string warnings(const Case& structureCase, const Body& body) {
         text += fmt::format("warning: slow linear algebra ({}); install libopenblas-dev\n",
                             blasLibrary());
     }
+    if (!blasKnowsProcessor()) {
+        text += "warning: slow linear algebra: OpenBLAS does not know this processor and takes it "
+                "for a Prescott; export OPENBLAS_CORETYPE=Haswell, or SkylakeX if it has AVX-512\n";
+    }
     return text;
 }
 
