@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <regex>
 
 using namespace tokay;
 using namespace tokay::structure;
@@ -139,7 +140,9 @@ TEST(CheckCase, says_what_would_be_modelled_and_needed) {
     EXPECT_THAT(text, HasSubstr("66 unknowns, 6 of them fixed"));
     EXPECT_THAT(text, HasSubstr("memory: "));
     EXPECT_THAT(text, HasSubstr("alone: to 0.1 s by steps of 0.01 s"));
-    EXPECT_THAT(text, Not(HasSubstr("warning")));
+    // Which linear algebra is installed is no matter of the case
+    const std::regex ofMachine("warning: slow linear algebra.*\n");
+    EXPECT_THAT(std::regex_replace(text, ofMachine, ""), Not(HasSubstr("warning")));
 }
 
 TEST(CheckCase, prints_all_options_of_the_chosen_acceleration) {
