@@ -60,6 +60,9 @@ interruption()
 property parallelInterruption "in parallel Ctrl-C ends both sides, and both say so"
 parallelInterruption()
 {
+    # OpenMPI kills what has not ended after a second, which on a busy machine is
+    # too soon for a last message
+    export OMPI_MCA_odls_base_sigkill_timeout=10
     startLongRun 2
     kill -INT -- "-$fluid"
     expectBadEnd
