@@ -62,7 +62,7 @@ parallelInterruption()
 {
     # OpenMPI kills what has not ended after a second, which on a busy machine is
     # too soon for a last message
-    export OMPI_MCA_odls_base_sigkill_timeout=10
+    export OMPI_MCA_odls_base_sigkill_timeout=3
     startLongRun 2
     kill -INT -- "-$fluid"
     expectBadEnd
