@@ -1,9 +1,9 @@
 // A disc with a hole, biquadratic: what the two rules for cut elements cost and
 // how accurate they are.
-#include "geometry/PatchQuadrature.hpp"
-#include "geometry/curveParts.hpp"
-#include "geometry/primitives.hpp"
-#include "geometry/refinement.hpp"
+#include "geometry/trimming/PatchQuadrature.hpp"
+#include "geometry/spline/curveParts.hpp"
+#include "geometry/primitives/primitives.hpp"
+#include "geometry/spline/refinement.hpp"
 #include <chrono>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 // A cylinder and a fluid mesh of flat faces on it: what consistent and what
 // conservative mapping of a pressure lose. Usage: curvedInterface RESULTS.csv
-#include "geometry/primitives.hpp"
-#include "geometry/refinement.hpp"
-#include "mapper/MortarMapping.hpp"
-#include "mapper/NearestElementMapping.hpp"
+#include "geometry/primitives/primitives.hpp"
+#include "geometry/spline/refinement.hpp"
+#include "mapper/mortar/MortarMapping.hpp"
+#include "mapper/nearest/NearestElementMapping.hpp"
 #include <cmath>
 #include <fmt/format.h>
 #include <fstream>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "mapper/CurveInterface.hpp"
-#include "mapper/SplineInterface.hpp"
-#include "mapper/SurfaceInterface.hpp"
-#include "mapper/SurfaceMesh.hpp"
+#include "mapper/interface/CurveInterface.hpp"
+#include "mapper/interface/SplineInterface.hpp"
+#include "mapper/interface/SurfaceInterface.hpp"
+#include "mapper/interface/SurfaceMesh.hpp"
 
 /// Interfaces of the benchmarks: the curve y = 0.2 x (1 - x) and the surface
 /// z = 1.6 x (1 - x) y (1 - y) over the unit square, as splines, which are them

@@ -1,10 +1,10 @@
 // A large fluid interface onto a trimmed patch: what each operator costs, and
 // whether mortar keeps its goals. Usage: largeInterface RESULTS.csv [quick]
-#include "geometry/curveParts.hpp"
-#include "geometry/primitives.hpp"
-#include "geometry/refinement.hpp"
-#include "mapper/MortarMapping.hpp"
-#include "mapper/NearestElementMapping.hpp"
+#include "geometry/spline/curveParts.hpp"
+#include "geometry/primitives/primitives.hpp"
+#include "geometry/spline/refinement.hpp"
+#include "mapper/mortar/MortarMapping.hpp"
+#include "mapper/nearest/NearestElementMapping.hpp"
 #include "mapper/Stopwatch.hpp"
 #include <cmath>
 #include <fmt/format.h>

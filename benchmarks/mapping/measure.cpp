@@ -1,7 +1,7 @@
 #include "interfaces.hpp"
-#include "mapper/NearestElementMapping.hpp"
-#include "mapper/PointCloud.hpp"
-#include "mapper/RbfMapping.hpp"
+#include "mapper/nearest/NearestElementMapping.hpp"
+#include "mapper/interface/PointCloud.hpp"
+#include "mapper/rbf/RbfMapping.hpp"
 #include "mapper/Stopwatch.hpp"
 #include "pairs.hpp"
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "pairs.hpp"
 
-#include "geometry/elementQuadrature.hpp"
+#include "geometry/trimming/elementQuadrature.hpp"
 #include "interfaces.hpp"
 #include "tokayMap/splineProjection.hpp"
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Table.hpp"
-#include "mapper/MortarMapping.hpp"
+#include "mapper/mortar/MortarMapping.hpp"
 #include <functional>
 #include <map>
 #include <memory>

@@ -2,7 +2,7 @@
 // and error of a smooth field, by kernel and numbers of points. The bounds of
 // mapper::RbfSolution::automatic follow from it. Usage: rbfSolutions RESULTS.csv [quick]
 #include "interfaces.hpp"
-#include "mapper/RbfMapping.hpp"
+#include "mapper/rbf/RbfMapping.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

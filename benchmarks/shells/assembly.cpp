@@ -1,8 +1,8 @@
 // Seconds of a shell's tangent per Gauss point, by degree, strains and threads, beside
 // the rate of a dense product; on the wall, and of the processors, which others
 // that use them disturb less. The limit is for one thread.
-#include "geometry/primitives.hpp"
-#include "igaStructure/model/shell/Shell.hpp"
+#include "geometry/primitives/primitives.hpp"
+#include "igaStructure/kinematics/shell/Shell.hpp"
 #include "timing.hpp"
 
 #include <fmt/format.h>

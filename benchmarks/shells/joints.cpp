@@ -3,7 +3,7 @@
 // balloon of two membranes, and what each costs. Their orders of convergence: orders.cpp.
 #include "Table.hpp"
 #include "exampleShell.hpp"
-#include "igaStructure/analysis/naturalModes.hpp"
+#include "igaStructure/timeIntegration/naturalModes.hpp"
 #include "scenes.hpp"
 #include "trimmedDisc.hpp"
 

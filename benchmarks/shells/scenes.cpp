@@ -1,9 +1,9 @@
 #include "scenes.hpp"
 
-#include "geometry/SurfaceProjector.hpp"
-#include "geometry/bezierPieces.hpp"
-#include "geometry/primitives.hpp"
-#include "geometry/refinement.hpp"
+#include "geometry/projection/SurfaceProjector.hpp"
+#include "geometry/bezier/bezierPieces.hpp"
+#include "geometry/primitives/primitives.hpp"
+#include "geometry/spline/refinement.hpp"
 
 #include <fmt/format.h>
 

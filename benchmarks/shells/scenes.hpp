@@ -1,6 +1,6 @@
 #pragma once
 
-#include "igaStructure/model/shell/Shell.hpp"
+#include "igaStructure/kinematics/shell/Shell.hpp"
 
 #include <functional>
 #include <string>

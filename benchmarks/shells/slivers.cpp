@@ -2,8 +2,8 @@
 // slivers left alone or tied to whole elements: condition of its stiffness, as it is and
 // scaled by the diagonal, and the deflection of the edge against that of whole elements.
 #include "common/errors.hpp"
-#include "geometry/primitives.hpp"
-#include "igaStructure/model/shell/Shell.hpp"
+#include "geometry/primitives/primitives.hpp"
+#include "igaStructure/kinematics/shell/Shell.hpp"
 #include "igaStructure/timeIntegration/TimeIntegrator.hpp"
 
 #include <Eigen/Eigenvalues>

@@ -5,9 +5,9 @@
 // Usage: cutRules FILE [quick]
 #include "common/errors.hpp"
 #include "exampleShell.hpp"
-#include "geometry/PatchQuadrature.hpp"
-#include "geometry/SurfaceProjector.hpp"
-#include "geometry/gaussLegendre.hpp"
+#include "geometry/trimming/PatchQuadrature.hpp"
+#include "geometry/projection/SurfaceProjector.hpp"
+#include "geometry/quadrature/gaussLegendre.hpp"
 #include "trimmedDisc.hpp"
 
 #include <fmt/format.h>

@@ -5,9 +5,9 @@
 // that of solid, too), and against plane strain, with unknowns and processor seconds
 // of model and solution.
 #include "common/errors.hpp"
-#include "igaStructure/body/makeBody.hpp"
+#include "igaStructure/case/makeBody.hpp"
 #include "igaStructure/caseFile/CaseSection.hpp"
-#include "igaStructure/caseFile/readCase.hpp"
+#include "igaStructure/case/readCase.hpp"
 #include "igaStructure/timeIntegration/TimeIntegrator.hpp"
 
 #include <fmt/format.h>

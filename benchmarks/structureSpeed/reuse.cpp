@@ -3,11 +3,11 @@
 // the last displacement, for static and dynamic scenes, and for steps that are solved
 // several times as in a coupled run.
 #include "common/errors.hpp"
-#include "geometry/primitives.hpp"
-#include "geometry/refinement.hpp"
-#include "igaStructure/model/Line.hpp"
-#include "igaStructure/model/PlaneSolid.hpp"
-#include "igaStructure/model/shell/Shell.hpp"
+#include "geometry/primitives/primitives.hpp"
+#include "geometry/spline/refinement.hpp"
+#include "igaStructure/kinematics/beam/Line.hpp"
+#include "igaStructure/kinematics/plane/PlaneSolid.hpp"
+#include "igaStructure/kinematics/shell/Shell.hpp"
 #include "igaStructure/timeIntegration/TimeIntegrator.hpp"
 #include "timing.hpp"
 

@@ -2,9 +2,9 @@
 // of the tangent, factorisation (symbolic once, numeric each iteration) and solution,
 // on one core and on all, with the exponents of their growth.
 #include "common/errors.hpp"
-#include "geometry/primitives.hpp"
+#include "geometry/primitives/primitives.hpp"
 #include "igaStructure/linearAlgebra/LinearSolver.hpp"
-#include "igaStructure/model/shell/Shell.hpp"
+#include "igaStructure/kinematics/shell/Shell.hpp"
 #include "timing.hpp"
 
 #include <Eigen/QR>

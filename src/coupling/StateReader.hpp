@@ -1,6 +1,6 @@
 #pragma once
 
-#include "coupling/ByteReader.hpp"
+#include "channel/ByteReader.hpp"
 
 #include <Eigen/Core>
 

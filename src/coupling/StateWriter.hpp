@@ -1,6 +1,6 @@
 #pragma once
 
-#include "coupling/ByteWriter.hpp"
+#include "channel/ByteWriter.hpp"
 
 #include <Eigen/Core>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/Points.hpp"
+#include "geometry/spline/Points.hpp"
 #include <string>
 #include <vector>
 

@@ -1,5 +1,5 @@
 #include "common/errors.hpp"
-#include "mapper/CurveInterface.hpp"
+#include "mapper/interface/CurveInterface.hpp"
 #include "tokayMap/Side.hpp"
 #include "tokayMap/writeField.hpp"
 #include <fmt/format.h>

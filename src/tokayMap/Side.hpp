@@ -1,7 +1,7 @@
 #pragma once
 
 #include "mapper/Discretisation.hpp"
-#include "mapper/SurfaceMesh.hpp"
+#include "mapper/interface/SurfaceMesh.hpp"
 #include "tokayMap/MeshFile.hpp"
 #include <functional>
 #include <memory>

@@ -1,8 +1,8 @@
 #include "tokayMap/makeMapping.hpp"
 
 #include "common/errors.hpp"
-#include "mapper/NearestElementMapping.hpp"
-#include "mapper/PointCloud.hpp"
+#include "mapper/nearest/NearestElementMapping.hpp"
+#include "mapper/interface/PointCloud.hpp"
 #include <fmt/format.h>
 
 namespace tokay::tool {

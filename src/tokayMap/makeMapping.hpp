@@ -1,8 +1,8 @@
 #pragma once
 
 #include "mapper/Mapping.hpp"
-#include "mapper/MortarMapping.hpp"
-#include "mapper/RbfMapping.hpp"
+#include "mapper/mortar/MortarMapping.hpp"
+#include "mapper/rbf/RbfMapping.hpp"
 #include "tokayMap/Side.hpp"
 
 namespace tokay::tool {

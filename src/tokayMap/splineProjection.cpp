@@ -1,7 +1,7 @@
 #include "tokayMap/splineProjection.hpp"
 
-#include "geometry/elementQuadrature.hpp"
-#include "mapper/MassInverse.hpp"
+#include "geometry/trimming/elementQuadrature.hpp"
+#include "mapper/mortar/MassInverse.hpp"
 #include <Eigen/Geometry>
 
 namespace tokay::tool {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "coupling/messages.hpp"
+#include "channel/messages.hpp"
 
 #include <fstream>
 #include <string>

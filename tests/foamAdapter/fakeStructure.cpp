@@ -6,8 +6,8 @@
 //   rigid interface that has converged.
 
 #include "Record.hpp"
-#include "coupling/Listener.hpp"
-#include "coupling/shakeHands.hpp"
+#include "channel/Listener.hpp"
+#include "channel/shakeHands.hpp"
 
 #include <chrono>
 #include <cmath>

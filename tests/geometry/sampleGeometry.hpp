@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/NurbsSurface.hpp"
+#include "geometry/spline/NurbsSurface.hpp"
 
 namespace tokay::geometry {
 

@@ -1,8 +1,8 @@
 #include "sampleLoops.hpp"
 
-#include "geometry/curveParts.hpp"
-#include "geometry/primitives.hpp"
-#include "geometry/refinement.hpp"
+#include "geometry/spline/curveParts.hpp"
+#include "geometry/primitives/primitives.hpp"
+#include "geometry/spline/refinement.hpp"
 #include <cmath>
 
 namespace tokay::geometry {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/TrimmedPatch.hpp"
+#include "geometry/trimming/TrimmedPatch.hpp"
 
 namespace tokay::geometry {
 

@@ -1,6 +1,6 @@
 #include "sampleModels.hpp"
 
-#include "geometry/primitives.hpp"
+#include "geometry/primitives/primitives.hpp"
 #include "sampleLoops.hpp"
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/BrepModel.hpp"
+#include "geometry/brep/BrepModel.hpp"
 
 namespace tokay::geometry {
 

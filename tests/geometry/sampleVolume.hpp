@@ -1,8 +1,8 @@
 #pragma once
 
-#include "geometry/primitives.hpp"
-#include "geometry/refinement.hpp"
-#include "geometry/volumePrimitives.hpp"
+#include "geometry/primitives/primitives.hpp"
+#include "geometry/spline/refinement.hpp"
+#include "geometry/primitives/volumePrimitives.hpp"
 #include <cmath>
 
 namespace tokay::geometry {

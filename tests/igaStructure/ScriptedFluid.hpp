@@ -1,8 +1,8 @@
 #pragma once
 
-#include "coupling/Channel.hpp"
-#include "coupling/shakeHands.hpp"
-#include "igaStructure/run/CoupledRun.hpp"
+#include "channel/Channel.hpp"
+#include "channel/shakeHands.hpp"
+#include "igaStructure/coupledRun/CoupledRun.hpp"
 
 #include <sys/socket.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "igaStructure/caseFile/CaseSection.hpp"
-#include "igaStructure/caseFile/readCase.hpp"
+#include "igaStructure/case/readCase.hpp"
 
 #include <string>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mapper/MortarMapping.hpp"
+#include "mapper/mortar/MortarMapping.hpp"
 #include "mapper/conservation.hpp"
 #include "mappingProperties.hpp"
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "sampleInterfaces.hpp"
 
-#include "geometry/primitives.hpp"
-#include "geometry/refinement.hpp"
+#include "geometry/primitives/primitives.hpp"
+#include "geometry/spline/refinement.hpp"
 #include <cmath>
 #include <numeric>
 

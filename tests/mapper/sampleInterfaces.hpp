@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mapper/SplineInterface.hpp"
+#include "mapper/interface/SplineInterface.hpp"
 
 namespace tokay::mapper {
 

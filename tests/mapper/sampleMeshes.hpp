@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mapper/SurfaceMesh.hpp"
+#include "mapper/interface/SurfaceMesh.hpp"
 
 namespace tokay::mapper {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mapper/SurfaceInterface.hpp"
+#include "mapper/interface/SurfaceInterface.hpp"
 
 namespace tokay::mapper {
 

@@ -1,7 +1,7 @@
-#include "geometry/gaussLegendre.hpp"
-#include "mapper/MortarMapping.hpp"
-#include "mapper/NearestElementMapping.hpp"
-#include "mapper/PointCloud.hpp"
+#include "geometry/quadrature/gaussLegendre.hpp"
+#include "mapper/mortar/MortarMapping.hpp"
+#include "mapper/nearest/NearestElementMapping.hpp"
+#include "mapper/interface/PointCloud.hpp"
 #include "sampleInterfaces.hpp"
 #include "sampleMeshes.hpp"
 #include <cmath>

@@ -1,6 +1,6 @@
 // What a transfer loses between a curved structure and the facets of a fluid
 // mesh: the two sides differ by a sagitta, so no map keeps everything.
-#include "mapper/MortarMapping.hpp"
+#include "mapper/mortar/MortarMapping.hpp"
 #include "sampleInterfaces.hpp"
 #include <Eigen/Dense>
 #include <Eigen/Geometry>

@@ -1,6 +1,6 @@
 #include "mapper/MappingReport.hpp"
 
-#include "mapper/MortarMapping.hpp"
+#include "mapper/mortar/MortarMapping.hpp"
 #include "sampleMeshes.hpp"
 #include <gtest/gtest.h>
 #include <limits>

@@ -1,9 +1,9 @@
 #include "tokayMap/mapFiles.hpp"
 
-#include "geometry/cadJson.hpp"
-#include "geometry/curveParts.hpp"
+#include "geometry/brep/cadJson.hpp"
+#include "geometry/spline/curveParts.hpp"
 #include "geometry/expectInputError.hpp"
-#include "geometry/primitives.hpp"
+#include "geometry/primitives/primitives.hpp"
 #include "temporaryDirectory.hpp"
 #include "tokayMap/readSide.hpp"
 #include "tokayMap/writeField.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "geometry/NurbsSurface.hpp"
-#include "igaStructure/body/Place.hpp"
+#include "geometry/spline/NurbsSurface.hpp"
+#include "igaStructure/output/Place.hpp"
 
 #include <cstdint>
 #include <functional>

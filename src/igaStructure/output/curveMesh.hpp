@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/NurbsCurve.hpp"
+#include "geometry/spline/NurbsCurve.hpp"
 #include "igaStructure/output/VtuMesh.hpp"
 
 namespace tokay::structure {

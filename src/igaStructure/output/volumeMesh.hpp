@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/NurbsVolume.hpp"
+#include "geometry/spline/NurbsVolume.hpp"
 #include "igaStructure/output/VtuMesh.hpp"
 
 namespace tokay::structure {

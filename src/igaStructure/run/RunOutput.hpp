@@ -1,7 +1,7 @@
 #pragma once
 
-#include "igaStructure/caseFile/Case.hpp"
-#include "igaStructure/output/ResultSeries.hpp"
+#include "igaStructure/case/Case.hpp"
+#include "igaStructure/run/ResultSeries.hpp"
 #include "igaStructure/output/ResultTable.hpp"
 #include "igaStructure/run/PhaseTimer.hpp"
 #include "igaStructure/run/StepReport.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "igaStructure/body/Body.hpp"
+#include "igaStructure/kinematics/Body.hpp"
 
 namespace tokay::structure {
 

@@ -1,7 +1,7 @@
 #include "igaStructure/run/advise.hpp"
 
 #include "common/errors.hpp"
-#include "igaStructure/analysis/naturalModes.hpp"
+#include "igaStructure/timeIntegration/naturalModes.hpp"
 #include "igaStructure/linearAlgebra/SparseLu.hpp"
 
 #include <fmt/format.h>

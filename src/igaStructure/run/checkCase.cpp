@@ -1,9 +1,9 @@
 #include "igaStructure/run/checkCase.hpp"
 
-#include "igaStructure/body/makeBody.hpp"
-#include "igaStructure/caseFile/readCoupling.hpp"
+#include "igaStructure/case/makeBody.hpp"
+#include "igaStructure/case/readCoupling.hpp"
 #include "igaStructure/linearAlgebra/blas.hpp"
-#include "igaStructure/output/chosenFields.hpp"
+#include "igaStructure/run/chosenFields.hpp"
 #include "igaStructure/run/Watch.hpp"
 #include "igaStructure/run/advise.hpp"
 #include "igaStructure/run/describeModel.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "igaStructure/body/Body.hpp"
-#include "igaStructure/caseFile/Case.hpp"
+#include "igaStructure/kinematics/Body.hpp"
+#include "igaStructure/case/Case.hpp"
 
 namespace tokay::structure {
 

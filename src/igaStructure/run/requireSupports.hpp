@@ -1,7 +1,7 @@
 #pragma once
 
-#include "igaStructure/caseFile/Case.hpp"
-#include "igaStructure/model/StructuralModel.hpp"
+#include "igaStructure/case/Case.hpp"
+#include "igaStructure/assembly/StructuralModel.hpp"
 
 namespace tokay::structure {
 

@@ -1,8 +1,8 @@
 #include "igaStructure/run/runAlone.hpp"
 
 #include "common/errors.hpp"
-#include "igaStructure/analysis/ArcLength.hpp"
-#include "igaStructure/body/makeBody.hpp"
+#include "igaStructure/timeIntegration/ArcLength.hpp"
+#include "igaStructure/case/makeBody.hpp"
 #include "igaStructure/run/Interruption.hpp"
 #include "igaStructure/run/RunOutput.hpp"
 #include "igaStructure/run/describeModel.hpp"

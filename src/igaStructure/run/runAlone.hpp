@@ -1,6 +1,6 @@
 #pragma once
 
-#include "igaStructure/caseFile/Case.hpp"
+#include "igaStructure/case/Case.hpp"
 #include "igaStructure/run/StepReport.hpp"
 
 namespace tokay::structure {

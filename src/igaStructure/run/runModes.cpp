@@ -1,8 +1,8 @@
 #include "igaStructure/run/runModes.hpp"
 
-#include "igaStructure/analysis/naturalModes.hpp"
-#include "igaStructure/body/makeBody.hpp"
-#include "igaStructure/output/ResultSeries.hpp"
+#include "igaStructure/timeIntegration/naturalModes.hpp"
+#include "igaStructure/case/makeBody.hpp"
+#include "igaStructure/run/ResultSeries.hpp"
 #include "igaStructure/output/ResultTable.hpp"
 #include "igaStructure/run/describeModel.hpp"
 

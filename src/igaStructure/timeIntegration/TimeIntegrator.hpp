@@ -1,7 +1,7 @@
 #pragma once
 
 #include "igaStructure/linearAlgebra/LinearSolver.hpp"
-#include "igaStructure/model/StructuralModel.hpp"
+#include "igaStructure/assembly/StructuralModel.hpp"
 #include "igaStructure/timeIntegration/Energies.hpp"
 #include "igaStructure/timeIntegration/MotionState.hpp"
 #include "igaStructure/timeIntegration/NewtonOptions.hpp"

@@ -1,0 +1,373 @@
+/*---------------------------------------------------------------------------*\
+    Tokay: OpenFOAM coupled to an isogeometric structure
+-------------------------------------------------------------------------------
+License
+    This file is part of Tokay, which is free software: you can redistribute
+    it and/or modify it under the terms of the GNU General Public License as
+    published by the Free Software Foundation, either version 3 of the
+    License, or (at your option) any later version. See the file LICENSE.
+
+\*---------------------------------------------------------------------------*/
+
+#include "structureConnection.H"
+#include "Time.H"
+#include "Pstream.H"
+#include "HashSet.H"
+#include "OSspecific.H"
+#include "requireKnownEntries.H"
+#include "channel/allFinite.hpp"
+#include "channel/readToken.hpp"
+#include "channel/shakeHands.hpp"
+#include "common/errors.hpp"
+#include "common/version.hpp"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace tokay::coupling;
+
+//- How long a structure may take to end by itself, in seconds
+constexpr double patience = 10;
+
+//- Refuse what cannot be a displacement of each point
+void checkDisplacements
+(
+    const std::vector<double>& values,
+    const std::size_t nValues
+)
+{
+    if (values.size() != nValues)
+    {
+        throw tokay::SolverError
+        (
+            "the structure sent " + std::to_string(values.size())
+          + " displacement components where the interface has "
+          + std::to_string(nValues)
+        );
+    }
+    if (const auto index = firstNonFinite(values))
+    {
+        throw tokay::SolverError
+        (
+            "the structure's displacement is not finite, component "
+          + std::to_string(*index) + " of " + std::to_string(nValues)
+          + ". See the structure's log"
+        );
+    }
+}
+
+//- Path of a file that is named from the case folder
+Foam::fileName fromCase(const Foam::fileName& name, const Foam::Time& runTime)
+{
+    Foam::fileName path(name);
+    path.expand();
+    if (!path.isAbsolute())
+    {
+        path = runTime.globalPath()/path;
+    }
+    path.clean();
+    return path;
+}
+
+} // End anonymous namespace
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::fileName Foam::structureConnection::chooseLog
+(
+    const dictionary& dict,
+    const fileName& caseFile,
+    const Time& runTime
+) const
+{
+    static HashSet<fileName> taken;
+
+    fileName log(caseFile.path()/"log.igaStructure");
+    if (dict.found("log"))
+    {
+        log = fromCase(dict.get<fileName>("log"), runTime);
+    }
+    else if (taken.found(log))
+    {
+        log += "." + dict_.dictName();
+    }
+    if (!taken.insert(log))
+    {
+        FatalIOErrorInFunction(dict)
+            << "the log " << log << " is that of another structure: choose "
+            << "another 'log'" << exit(FatalIOError);
+    }
+    return log;
+}
+
+
+void Foam::structureConnection::launch
+(
+    const dictionary& dict,
+    const Time& runTime
+)
+{
+    const fileName caseFile(fromCase(dict.get<fileName>("case"), runTime));
+    const fileName log(chooseLog(dict, caseFile, runTime));
+
+    std::vector<std::string> arguments{"run", caseFile};
+    for
+    (
+        const string& word
+      : dict.lookupOrDefault<List<string>>("arguments", List<string>())
+    )
+    {
+        arguments.push_back(word);
+    }
+
+    const string program
+    (
+        dict.lookupOrDefault<string>("program", "igaStructure")
+    );
+
+    onMaster
+    (
+        [&]
+        {
+            process_.reset(new structureProcess(program, arguments, log));
+            channel_.reset
+            (
+                new Channel
+                (
+                    Channel::fromFileDescriptor(process_->takeFileDescriptor())
+                )
+            );
+        }
+    );
+    Info<< "    launched " << program.c_str() << ", log " << log << endl;
+}
+
+
+void Foam::structureConnection::connect(const dictionary& dict)
+{
+    const string address(dict.get<string>("connect"));
+    onMaster
+    (
+        [&] { channel_.reset(new Channel(Channel::connect(address))); }
+    );
+    Info<< "    connected to " << address.c_str() << endl;
+}
+
+
+void Foam::structureConnection::onMaster(const std::function<void()>& action)
+{
+    string error;
+    if (Pstream::master())
+    {
+        try
+        {
+            action();
+        }
+        catch (const PeerError& peerError)
+        {
+            error = peerError.what();
+            closeChannel();
+            const std::string how(process_ ? process_->end(patience) : "");
+            if (!how.empty())
+            {
+                error += error.back() == '.' ? "\n    " : ".\n    ";
+                error += how;
+            }
+        }
+        catch (const std::exception& ownError)
+        {
+            error = ownError.what();
+        }
+    }
+    Pstream::scatter(error);
+
+    if (!error.empty())
+    {
+        fail(error);
+    }
+}
+
+
+void Foam::structureConnection::closeChannel()
+{
+    notice_.reset();
+    channel_.reset();
+}
+
+
+void Foam::structureConnection::raise(const std::string& text) const
+{
+    if (!Pstream::master())
+    {
+        // The master speaks for all, and its end is that of this rank
+        IPstream(Pstream::commsTypes::scheduled, Pstream::masterNo());
+    }
+    if (starting_)
+    {
+        FatalIOErrorInFunction(dict_) << text.c_str() << exit(FatalIOError);
+    }
+    FatalErrorInFunction << text.c_str() << exit(FatalError);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::structureConnection::structureConnection
+(
+    const dictionary& dict,
+    const Time& runTime
+)
+:
+    dict_(dict),
+    starting_(true),
+    nValues_(0)
+{
+    const dictionary& structureDict = dict.subDict("structure");
+    requireKnownEntries
+    (
+        structureDict,
+        {
+            "launch", "case", "program", "arguments", "log", "connect",
+            "tokenFile", "silenceInterval"
+        }
+    );
+
+    if (structureDict.found("connect"))
+    {
+        if (structureDict.lookupOrDefault("launch", false))
+        {
+            FatalIOErrorInFunction(structureDict)
+                << "'launch yes' and 'connect' exclude each other: "
+                << "remove one of the two" << exit(FatalIOError);
+        }
+        connect(structureDict);
+    }
+    else
+    {
+        launch(structureDict, runTime);
+    }
+
+    notice_.reset
+    (
+        new endNotice(channel_ ? channel_->fileDescriptor() : -1)
+    );
+
+    const scalar silence =
+        structureDict.lookupOrDefault<scalar>("silenceInterval", 60);
+
+    onMaster
+    (
+        [&]
+        {
+            channel_->reportSilence
+            (
+                silence,
+                [](const std::string& line)
+                {
+                    Info<< "structureCoupling: " << line.c_str() << endl;
+                }
+            );
+
+            Hello own;
+            own.role = Role::fluid;
+            own.program = std::string("Tokay ") + tokay::version;
+            if (structureDict.found("tokenFile"))
+            {
+                own.token = readToken
+                (
+                    fromCase(structureDict.get<fileName>("tokenFile"), runTime)
+                );
+            }
+            const Hello peer(shakeHands(*channel_, own));
+            Info<< "    structure: " << peer.program.c_str() << ", case digest "
+                << peer.caseDigest.c_str() << endl;
+        }
+    );
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+std::string Foam::structureConnection::start(const Interface& interface)
+{
+    nValues_ = interface.points.size();
+    std::string report;
+    onMaster
+    (
+        [&]
+        {
+            channel_->send(interface);
+            report = channel_->receive<Accepted>
+            (
+                "the structure to accept the interface"
+            ).report;
+        }
+    );
+    starting_ = false;
+    return report;
+}
+
+
+tokay::coupling::Displacements Foam::structureConnection::exchange
+(
+    const Message& message,
+    const std::string& waitingFor
+)
+{
+    Displacements displacements;
+    onMaster
+    (
+        [&]
+        {
+            channel_->send(message);
+            displacements = channel_->receive<Displacements>(waitingFor);
+            if (displacements.state != State::rejected)
+            {
+                checkDisplacements(displacements.values, nValues_);
+            }
+        }
+    );
+    return displacements;
+}
+
+
+void Foam::structureConnection::reject(const std::string& reason)
+{
+    onMaster([&] { channel_->send(RejectStep{reason}); });
+}
+
+
+void Foam::structureConnection::fail(const std::string& text)
+{
+    if (channel_)
+    {
+        channel_->trySend(Failure{text});
+        closeChannel();
+    }
+    raise(text);
+}
+
+
+void Foam::structureConnection::close(const std::string& reason)
+{
+    onMaster
+    (
+        [&]
+        {
+            channel_->send(Goodbye{reason});
+            // Answered when all output of the structure is safe
+            channel_->receive<Goodbye>("the structure to end");
+            closeChannel();
+            const std::string how(process_ ? process_->end(patience) : "");
+            if (!how.empty())
+            {
+                throw tokay::SolverError(how);
+            }
+        }
+    );
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,167 @@
+#include "geometry/brep/BrepModel.hpp"
+
+#include "common/errors.hpp"
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <set>
+
+namespace tokay::geometry {
+
+namespace {
+
+void requireUnique(const std::vector<std::string>& names, const char* kind) {
+    std::set<std::string> seen;
+    for (const std::string& name : names)
+        if (!seen.insert(name).second)
+            throw InputError(fmt::format("Two {}s of the model are named \"{}\": give each its own "
+                                         "name.",
+                                         kind, name));
+}
+
+int numberOf(const std::string& name, const std::vector<std::string>& names, const char* kind) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+        throw InputError(
+            fmt::format("The model has no {} \"{}\"; it has {}.", kind, name,
+                        names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
+    return static_cast<int>(found - names.begin());
+}
+
+std::vector<std::string> namesOf(const std::vector<BrepFace>& faces) {
+    std::vector<std::string> names;
+    for (const BrepFace& face : faces)
+        names.push_back(face.patch.name());
+    return names;
+}
+
+std::vector<std::string> namesOf(const std::vector<BrepEdge>& edges) {
+    std::vector<std::string> names;
+    for (const BrepEdge& edge : edges)
+        names.push_back(edge.name);
+    return names;
+}
+
+/// Parameters at the ends of, and between, a curve's smooth ranges.
+std::vector<double> samples(const CurveOnSurface& curve, int perRange) {
+    const std::vector<double>& breakpoints = curve.breakpoints();
+    std::vector<double> result = {breakpoints.front()};
+    for (std::size_t i = 0; i + 1 < breakpoints.size(); ++i)
+        for (int k = 1; k <= perRange; ++k)
+            result.push_back(breakpoints[i] + (breakpoints[i + 1] - breakpoints[i]) * k / perRange);
+    return result;
+}
+
+/// Largest distance of points of a curve to another.
+void include(const CurveOnSurface& from, const CurveOnSurface& to, EdgeGap& gap) {
+    constexpr int perRange = 8;
+    for (const double t : samples(from, perRange)) {
+        const Point point = from.derivatives(t, 0).row(0);
+        const double distance = to.closest(point).distance;
+        if (distance > gap.distance) {
+            gap.distance = distance;
+            gap.place = point;
+        }
+    }
+}
+
+} // namespace
+
+BrepModel::BrepModel(std::vector<BrepFace> faces, std::vector<BrepEdge> edges, double tolerance)
+    : faces_(std::move(faces)), edges_(std::move(edges)), tolerance_(tolerance) {
+    if (faces_.empty())
+        throw InputError("The model has no face: give it at least one.");
+    requireUnique(namesOf(faces_), "face");
+    requireUnique(namesOf(edges_), "edge");
+    for (const BrepEdge& edge : edges_)
+        for (const BrepTrim& trim : edge.trims) {
+            if (trim.face < 0 || trim.face >= static_cast<int>(faces_.size()))
+                throw InputError(fmt::format("Edge \"{}\" names face {}, but the model has {} "
+                                             "(numbers start at 0).",
+                                             edge.name, trim.face, faces_.size()));
+            if (trim.curve < 0 || trim.curve >= nCurves(trim.face))
+                throw InputError(fmt::format("Edge \"{}\" names curve {} of face \"{}\", which has "
+                                             "{} (numbers start at 0).",
+                                             edge.name, trim.curve, patch(trim.face).name(),
+                                             nCurves(trim.face)));
+        }
+}
+
+double BrepModel::size() const {
+    Box box = Box::empty();
+    for (const BrepFace& face : faces_)
+        box.include(Box::around(face.patch.surface().controlPoints()));
+    return box.diagonal();
+}
+
+int BrepModel::faceNumber(const std::string& name) const {
+    return numberOf(name, namesOf(faces_), "face");
+}
+
+int BrepModel::edgeNumber(const std::string& name) const {
+    return numberOf(name, namesOf(edges_), "edge");
+}
+
+int BrepModel::nCurves(int face) const {
+    std::size_t n = faces_[face].embeddedCurves.size();
+    for (const TrimmingLoop& loop : patch(face).loops())
+        n += loop.curves().size();
+    return static_cast<int>(n);
+}
+
+const NurbsCurve& BrepModel::curve(int face, int number) const {
+    std::size_t left = number;
+    for (const TrimmingLoop& loop : patch(face).loops()) {
+        if (left < loop.curves().size())
+            return loop.curves()[left];
+        left -= loop.curves().size();
+    }
+    return faces_[face].embeddedCurves[left];
+}
+
+CurveOnSurface BrepModel::curveInSpace(const BrepTrim& trim) const {
+    return CurveOnSurface(curve(trim.face, trim.curve), patch(trim.face).surface());
+}
+
+std::vector<EdgeGap> BrepModel::gaps() const {
+    std::vector<EdgeGap> gaps;
+    for (std::size_t number = 0; number < edges_.size(); ++number) {
+        const std::vector<BrepTrim>& trims = edges_[number].trims;
+        if (trims.size() < 2)
+            continue;
+        EdgeGap gap{static_cast<int>(number), -1, Point::Zero()};
+        const CurveOnSurface first = curveInSpace(trims[0]);
+        for (std::size_t i = 1; i < trims.size(); ++i) {
+            const CurveOnSurface other = curveInSpace(trims[i]);
+            include(first, other, gap);
+            include(other, first, gap);
+        }
+        gaps.push_back(gap);
+    }
+    return gaps;
+}
+
+void BrepModel::requireGapsBelow(double limit) const {
+    const std::vector<EdgeGap> all = gaps();
+    const auto worst =
+        std::max_element(all.begin(), all.end(), [](const EdgeGap& a, const EdgeGap& b) {
+            return a.distance < b.distance;
+        });
+    if (worst == all.end() || worst->distance <= limit)
+        return;
+    throw InputError(fmt::format("The faces at edge \"{}\" are {:.3g} apart at ({:.6g}, {:.6g}, "
+                                 "{:.6g}); at most {:.3g} is allowed. Correct the trimming curves, "
+                                 "or allow larger gaps.",
+                                 edges_[worst->edge].name, worst->distance, worst->place[0],
+                                 worst->place[1], worst->place[2], limit));
+}
+
+BrepModel BrepModel::refined(int degreeU, int degreeV, int nDivisionsU, int nDivisionsV) const {
+    std::vector<BrepFace> faces;
+    for (const BrepFace& face : faces_)
+        faces.push_back({face.patch.refined(degreeU, degreeV, nDivisionsU, nDivisionsV),
+                         face.isNormalSwapped, face.embeddedCurves});
+    return BrepModel(std::move(faces), edges_, tolerance_);
+}
+
+} // namespace tokay::geometry

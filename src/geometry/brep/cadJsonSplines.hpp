@@ -1,0 +1,17 @@
+#pragma once
+
+#include "geometry/brep/CadJsonNode.hpp"
+#include "geometry/spline/NurbsSurface.hpp"
+
+namespace tokay::geometry {
+
+/// Curve of a cad.json file ("degree", "knot_vector", "control_points"), cut to
+/// its "active_range".
+/// @throws InputError with the place in the file
+NurbsCurve readCurve(const CadJsonNode& node);
+
+/// Surface of a cad.json file ("degrees", "knot_vectors", "control_points").
+/// @throws InputError with the place in the file
+NurbsSurface readSurface(const CadJsonNode& node);
+
+} // namespace tokay::geometry

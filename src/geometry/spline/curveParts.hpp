@@ -1,0 +1,14 @@
+#pragma once
+
+#include "geometry/spline/NurbsCurve.hpp"
+
+namespace tokay::geometry {
+
+/// The same curve run through backwards, over the same range of parameters.
+NurbsCurve reversed(const NurbsCurve& curve);
+
+/// The part between two parameters, exact; its ends keep their parameters.
+/// @throws InputError unless first <= from < to <= last.
+NurbsCurve partOf(const NurbsCurve& curve, double from, double to);
+
+} // namespace tokay::geometry

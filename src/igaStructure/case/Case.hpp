@@ -1,0 +1,47 @@
+#pragma once
+
+#include "igaStructure/kinematics/Coupling.hpp"
+#include "igaStructure/kinematics/beam/LineCase.hpp"
+#include "igaStructure/kinematics/OutputOptions.hpp"
+#include "igaStructure/kinematics/plane/PlaneSolidCase.hpp"
+#include "igaStructure/kinematics/shell/element/ShellDescription.hpp"
+#include "igaStructure/kinematics/solid/SolidDescription.hpp"
+#include "igaStructure/timeIntegration/NewtonOptions.hpp"
+#include "igaStructure/timeIntegration/TimeScheme.hpp"
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace tokay::structure {
+
+/// Time steps of a run alone, which begins at 0.
+struct TimeSteps {
+    double step;              ///< [s]
+    double end;               ///< [s]
+    double smallestStep;      ///< a failed step is halved down to this; step: never [s]
+    int largestPathSteps = 0; ///< follow the equilibrium path by so many steps; 0: do not
+    bool isExplicit = false;  ///< central differences
+};
+
+/// Geometry, model, material, supports and loads of one of the kinematics.
+using StructureCase = std::variant<PlaneSolidCase, LineCase, ShellDescription, SolidDescription>;
+
+/// All that a case file says, checked and with its defaults.
+struct Case {
+    std::string name;
+    std::string file;
+    std::string directory; ///< of the case file; results go below it
+    StructureCase structure;
+    TimeScheme timeScheme;
+    std::optional<TimeSteps> timeSteps;
+    NewtonOptions newton;
+    OutputOptions output;
+    std::optional<Coupling> coupling;
+    std::string supportsPlace; ///< file, line and entry: begins messages
+    std::string geometryPlace; ///< the same of what gives the body its shape
+    std::string digest;        ///< of geometry and discretisation: what the unknowns belong to
+};
+
+} // namespace tokay::structure

@@ -1,0 +1,45 @@
+#include "igaStructure/case/makeBody.hpp"
+
+#include "igaStructure/kinematics/beam/LineBody.hpp"
+#include "igaStructure/kinematics/plane/PlaneBody.hpp"
+#include "igaStructure/kinematics/shell/ShellBody.hpp"
+#include "igaStructure/kinematics/solid/SolidBody.hpp"
+#include "igaStructure/assembly/GeometryError.hpp"
+
+namespace tokay::structure {
+
+namespace {
+
+// A kinematics adds its own overload.
+std::unique_ptr<Body> make(const PlaneSolidCase& solid) {
+    return std::make_unique<PlaneBody>(
+        PlaneSolid(solid.surface, solid.material, solid.strains, solid.supports, solid.loads));
+}
+
+std::unique_ptr<Body> make(const LineCase& line) {
+    return std::make_unique<LineBody>(
+        Line(line.curve, line.section, line.strains, line.supports, line.loads, line.dimension));
+}
+
+std::unique_ptr<Body> make(const ShellDescription& shell) {
+    return std::make_unique<ShellBody>(shell);
+}
+
+std::unique_ptr<Body> make(const SolidDescription& solid) {
+    return std::make_unique<SolidBody>(solid);
+}
+
+} // namespace
+
+std::unique_ptr<Body> makeBody(const Case& structureCase) {
+    try {
+        return std::visit([](const auto& structure) { return make(structure); },
+                          structureCase.structure);
+    } catch (const GeometryError& error) {
+        throw InputError(structureCase.geometryPlace + error.what());
+    } catch (const InputError& error) {
+        throw InputError(structureCase.file + ": " + error.what());
+    }
+}
+
+} // namespace tokay::structure

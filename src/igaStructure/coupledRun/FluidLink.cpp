@@ -1,0 +1,67 @@
+#include "igaStructure/coupledRun/FluidLink.hpp"
+
+#include "common/version.hpp"
+#include "channel/shakeHands.hpp"
+#include "igaStructure/run/Interruption.hpp"
+
+namespace tokay::structure {
+
+namespace {
+
+// How long a signal may go unnoticed while waiting [s].
+constexpr double pollInterval = 0.2;
+
+} // namespace
+
+FluidLink::FluidLink(coupling::Channel channel, double silenceInterval, Report report)
+    : channel_(std::move(channel)), silenceInterval_(silenceInterval), report_(std::move(report)) {
+    channel_.reportSilence(pollInterval, [this](const std::string& text) { onSilence(text); });
+    beginWaiting();
+}
+
+void FluidLink::shakeHands(const std::string& token) {
+    coupling::Hello hello;
+    hello.role = coupling::Role::structure;
+    hello.program = std::string("igaStructure ") + version;
+    hello.token = token;
+    coupling::shakeHands(channel_, hello);
+}
+
+void FluidLink::send(const coupling::Message& message) {
+    throwIfInterrupted();
+    beginWaiting();
+    channel_.send(message);
+}
+
+coupling::Message FluidLink::receive(const std::string& waitingFor) {
+    beginWaiting();
+    return channel_.receive(waitingFor);
+}
+
+void FluidLink::tellFailure(const std::string& text) noexcept {
+    if (!toldFailure_) {
+        toldFailure_ = true;
+        channel_.trySend(coupling::Failure{text});
+    }
+}
+
+void FluidLink::beginWaiting() {
+    nextReport_ = std::chrono::steady_clock::now() +
+                  std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                      std::chrono::duration<double>(silenceInterval_));
+}
+
+void FluidLink::onSilence(const std::string& text) {
+    try {
+        throwIfInterrupted();
+    } catch (const Interrupted& interrupted) {
+        tellFailure(interrupted.what()); // an exception from here closes the channel
+        throw;
+    }
+    if (std::chrono::steady_clock::now() >= nextReport_) {
+        beginWaiting();
+        report_(text);
+    }
+}
+
+} // namespace tokay::structure

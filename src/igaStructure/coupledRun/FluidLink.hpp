@@ -1,0 +1,43 @@
+#pragma once
+
+#include "channel/Channel.hpp"
+#include "igaStructure/run/StepReport.hpp"
+
+#include <chrono>
+
+namespace tokay::structure {
+
+/// The channel to the fluid, which a signal to this process can interrupt.
+class FluidLink {
+  public:
+    /// @param silenceInterval  a silent fluid is reported this often [s]
+    FluidLink(coupling::Channel channel, double silenceInterval, Report report);
+    FluidLink(const FluidLink&) = delete;
+    FluidLink& operator=(const FluidLink&) = delete;
+
+    void shakeHands(const std::string& token);
+
+    /// As those of Channel. @throws also Interrupted
+    void send(const coupling::Message& message);
+    coupling::Message receive(const std::string& waitingFor);
+    template <class Expected>
+    Expected receive(const std::string& waitingFor) {
+        beginWaiting();
+        return channel_.receive<Expected>(waitingFor);
+    }
+
+    /// Tells the fluid why the run cannot go on; never throws.
+    void tellFailure(const std::string& text) noexcept;
+
+  private:
+    void beginWaiting();
+    void onSilence(const std::string& text);
+
+    coupling::Channel channel_;
+    double silenceInterval_;
+    Report report_;
+    std::chrono::steady_clock::time_point nextReport_;
+    bool toldFailure_ = false;
+};
+
+} // namespace tokay::structure

@@ -1,0 +1,85 @@
+#include "igaStructure/coupledRun/InterfaceFaces.hpp"
+
+#include "channel/PeerError.hpp"
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+namespace tokay::structure {
+
+using Eigen::Vector3d;
+using geometry::Points;
+
+namespace {
+
+// A triangle with corners that go straight: its mean motion times the mean over
+// time of its area vector.
+double sweptByTriangle(const Vector3d& p, const Vector3d& q, const Vector3d& r, const Vector3d& dp,
+                       const Vector3d& dq, const Vector3d& dr) {
+    const Vector3d a = q - p, b = r - p;
+    const Vector3d da = dq - dp, db = dr - dp;
+    const Vector3d area = 0.5 * (a.cross(b) + 0.5 * (a.cross(db) + da.cross(b)) + da.cross(db) / 3);
+    return (dp + dq + dr).dot(area) / 3;
+}
+
+} // namespace
+
+InterfaceFaces::InterfaceFaces(const coupling::Interface& fluid)
+    : isPlane_(fluid.dimension == 2), offsets_(fluid.faceOffsets), points_(fluid.facePoints) {
+    std::vector<Eigen::Triplet<double>> entries;
+    const int nFaces = static_cast<int>(offsets_.size()) - 1;
+    for (int face = 0; face < nFaces; ++face) {
+        const std::uint32_t nPoints = offsets_[face + 1] - offsets_[face];
+        if (nPoints == 0) {
+            throw coupling::PeerError(
+                fmt::format("face {} of the fluid's interface has no points", face));
+        }
+        for (std::uint32_t k = offsets_[face]; k < offsets_[face + 1]; ++k) {
+            entries.emplace_back(face, static_cast<int>(points_[k]), 1.0 / nPoints);
+        }
+    }
+    mean_.resize(nFaces, static_cast<int>(fluid.points.size() / fluid.dimension));
+    mean_.setFromTriplets(entries.begin(), entries.end());
+}
+
+double InterfaceFaces::sweptVolume(const Points& from, const Points& to) const {
+    double volume = 0;
+    for (int face = 0; face < count(); ++face) {
+        volume += isPlane_ ? sweptByEdge(face, from, to) : sweptByPolygon(face, from, to);
+    }
+    return volume;
+}
+
+// The fluid lies left of an edge.
+double InterfaceFaces::sweptByEdge(int face, const Points& from, const Points& to) const {
+    const std::uint32_t a = points_[offsets_[face]];
+    const std::uint32_t b = points_[offsets_[face + 1] - 1];
+    const Vector3d across = to.row(b) - from.row(a);
+    const Vector3d back = to.row(a) - from.row(b);
+    return -0.5 * across.cross(back).z();
+}
+
+// Triangles around the mean of the points.
+double InterfaceFaces::sweptByPolygon(int face, const Points& from, const Points& to) const {
+    const std::uint32_t begin = offsets_[face];
+    const std::uint32_t end = offsets_[face + 1];
+    const auto motion = [&](std::uint32_t point) -> Vector3d {
+        return to.row(point) - from.row(point);
+    };
+    Vector3d centre = Vector3d::Zero();
+    Vector3d centreMotion = Vector3d::Zero();
+    for (std::uint32_t k = begin; k < end; ++k) {
+        centre += from.row(points_[k]) / (end - begin);
+        centreMotion += motion(points_[k]) / (end - begin);
+    }
+    double volume = 0;
+    for (std::uint32_t k = begin; k < end; ++k) {
+        const std::uint32_t p = points_[k];
+        const std::uint32_t q = points_[k + 1 < end ? k + 1 : begin];
+        volume +=
+            sweptByTriangle(centre, from.row(p), from.row(q), centreMotion, motion(p), motion(q));
+    }
+    return volume;
+}
+
+} // namespace tokay::structure

@@ -1,0 +1,27 @@
+#include "igaStructure/coupledRun/PrescribedStructure.hpp"
+
+#include <fmt/format.h>
+
+namespace tokay::structure {
+
+Eigen::VectorXd PrescribedStructure::beginTimeStep(int step, double time, double) {
+    step_ = step;
+    time_ = time;
+    nExchanges_ = 0;
+    displacements_ = record_.at(time);
+    return displacements_;
+}
+
+Answer PrescribedStructure::iterate(const std::vector<double>&, double) {
+    ++nExchanges_;
+    return {displacements_, 0, true};
+}
+
+Answer PrescribedStructure::acceptTimeStep(const std::vector<double>&, bool) {
+    ++nExchanges_;
+    report_(fmt::format("step {} time {:.6g} s  exchanges {}  prescribed motion", step_, time_,
+                        nExchanges_));
+    return {displacements_, 0, true};
+}
+
+} // namespace tokay::structure

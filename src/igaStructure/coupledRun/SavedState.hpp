@@ -1,0 +1,31 @@
+#pragma once
+
+#include "geometry/spline/Points.hpp"
+#include "igaStructure/timeIntegration/Energies.hpp"
+#include "igaStructure/timeIntegration/MotionState.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tokay::structure {
+
+/// All that a coupled run needs to go on from the end of a time step.
+struct SavedState {
+    std::string digest; ///< of what the unknowns mean; see Case::digest
+    MotionState motion;
+    Energies energies;
+    geometry::Points interface;            ///< the fluid's points in the reference configuration
+    Eigen::VectorXd interfaceDisplacement; ///< that the fluid has, a component a row [m]
+    std::vector<std::uint8_t> coupling;    ///< predictor's and accelerator's, a row a component
+};
+
+/// Bytes of a state file: magic, version, time, then the rest; doubles as they
+/// are, little-endian.
+std::vector<std::uint8_t> encodeState(const SavedState& state);
+
+/// @param name  of the file, for messages
+/// @throws InputError if the bytes are not a whole state of this version
+SavedState decodeState(const std::vector<std::uint8_t>& bytes, const std::string& name);
+
+} // namespace tokay::structure

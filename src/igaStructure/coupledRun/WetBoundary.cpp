@@ -1,0 +1,94 @@
+#include "igaStructure/coupledRun/WetBoundary.hpp"
+
+#include "common/errors.hpp"
+#include "channel/PeerError.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace tokay::structure {
+
+using coupling::Interface;
+using coupling::PeerError;
+using geometry::Points;
+
+namespace {
+
+using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+void requireDimension(const Body& body, const Interface& fluid) {
+    if (fluid.dimension == static_cast<std::uint32_t>(body.dimension())) {
+        return;
+    }
+    throw InputError(fmt::format(
+        "the fluid's interface has {} dimensions, but the structure's kinematics needs {}{}",
+        fluid.dimension, body.dimension(),
+        body.dimension() == 2
+            ? ": the fluid's mesh must be one cell thick with 'empty' front and back"
+            : ""));
+}
+
+// That its arrays fit each other was checked when the message arrived.
+Points readPoints(const Body& body, const Interface& fluid) {
+    requireDimension(body, fluid);
+    const int dimension = body.dimension();
+    const Eigen::Map<const Rows> given(fluid.points.data(), fluid.points.size() / dimension,
+                                       dimension);
+    Points points = Points::Zero(given.rows(), 3);
+    points.leftCols(dimension) = given;
+    return points;
+}
+
+std::string text(const Eigen::VectorXd& components) {
+    return fmt::format("({:.6g})", fmt::join(components, ", "));
+}
+
+} // namespace
+
+WetBoundary::WetBoundary(const Body& body, const Coupling& coupling, const Interface& fluid)
+    : dimension_(body.dimension()), points_(readPoints(body, fluid)), faces_(fluid),
+      transfer_(body.transfer(coupling, points_)) {}
+
+Eigen::VectorXd WetBoundary::components(const Points& ofPoints) const {
+    const Rows values = ofPoints.leftCols(dimension_);
+    return Eigen::Map<const Eigen::VectorXd>(values.data(), values.size());
+}
+
+Eigen::VectorXd WetBoundary::displacements(const Eigen::VectorXd& displacement) const {
+    return components(transfer_->displacements(displacement));
+}
+
+Eigen::MatrixXd WetBoundary::variations(const Eigen::VectorXd& displacement,
+                                        const Eigen::MatrixXd& variations) const {
+    Eigen::MatrixXd result(nComponents(), variations.cols());
+    for (Eigen::Index k = 0; k < variations.cols(); ++k) {
+        result.col(k) = components(transfer_->variation(displacement, variations.col(k)));
+    }
+    return result;
+}
+
+Points WetBoundary::onPoints(const std::vector<double>& onFaces) const {
+    if (onFaces.size() != static_cast<std::size_t>(dimension_) * nFaces()) {
+        throw PeerError(fmt::format("the fluid sent {} force components for {} faces",
+                                    onFaces.size(), nFaces()));
+    }
+    const Eigen::Map<const Rows> given(onFaces.data(), nFaces(), dimension_);
+    for (int face = 0; face < nFaces(); ++face) {
+        if (!given.row(face).allFinite()) {
+            throw PeerError(fmt::format(
+                "the fluid's force on face {} at {} is not finite: {}; the flow has diverged", face,
+                text(faces_.means(points_).row(face).head(dimension_)), text(given.row(face))));
+        }
+    }
+    Points forces = Points::Zero(nFaces(), 3);
+    forces.leftCols(dimension_) = given;
+    return faces_.onPoints(forces);
+}
+
+Eigen::VectorXd WetBoundary::forces(const std::vector<double>& onFaces,
+                                    const Eigen::VectorXd& displacement) const {
+    return transfer_->forces(displacement, onPoints(onFaces));
+}
+
+} // namespace tokay::structure

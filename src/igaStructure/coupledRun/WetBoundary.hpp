@@ -1,0 +1,60 @@
+#pragma once
+
+#include "channel/messages.hpp"
+#include "igaStructure/kinematics/Body.hpp"
+#include "igaStructure/kinematics/Coupling.hpp"
+#include "igaStructure/coupledRun/InterfaceFaces.hpp"
+
+#include <Eigen/Core>
+
+namespace tokay::structure {
+
+/// The fluid's interface as the structure sees it: takes vectors of the
+/// channel, checks them, and transfers them to and from the body.
+class WetBoundary {
+  public:
+    /// @throws InputError if the two sides do not fit: dimension, gap
+    WetBoundary(const Body& body, const Coupling& coupling, const coupling::Interface& fluid);
+
+    int nPoints() const { return static_cast<int>(points_.rows()); }
+    int nFaces() const { return faces_.count(); }
+    /// Of displacements(): dimension times nPoints().
+    int nComponents() const { return dimension_ * nPoints(); }
+
+    /// Points of the fluid in the reference configuration, nPoints x 3 [m]
+    const geometry::Points& points() const { return points_; }
+
+    /// Displacements of the fluid's points, point after point [m].
+    Eigen::VectorXd displacements(const Eigen::VectorXd& displacement) const;
+
+    /// Derivative of displacements() at a displacement along variations, a
+    /// column each.
+    Eigen::MatrixXd variations(const Eigen::VectorXd& displacement,
+                               const Eigen::MatrixXd& variations) const;
+
+    /// Forces on the structure's unknowns; same sum and virtual work.
+    /// @param onFaces       face after face [N]; a plane scene: per unit depth [N/m]
+    /// @param displacement  of the structure, at which a thin body's sections stand
+    /// @throws  coupling::PeerError that names the face whose force is not finite
+    Eigen::VectorXd forces(const std::vector<double>& onFaces,
+                           const Eigen::VectorXd& displacement) const;
+
+    /// Forces of faces on the fluid's points, nPoints x 3; other arguments as in forces().
+    geometry::Points onPoints(const std::vector<double>& onFaces) const;
+
+    const InterfaceFaces& faces() const { return faces_; }
+    const InterfaceTransfer& transfer() const { return *transfer_; }
+
+    /// The mapping's report.
+    std::string report() const { return transfer_->report(); }
+
+  private:
+    Eigen::VectorXd components(const geometry::Points& ofPoints) const;
+
+    int dimension_;
+    geometry::Points points_;
+    InterfaceFaces faces_;
+    std::unique_ptr<InterfaceTransfer> transfer_;
+};
+
+} // namespace tokay::structure

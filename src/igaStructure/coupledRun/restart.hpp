@@ -1,0 +1,31 @@
+#pragma once
+
+#include "channel/messages.hpp"
+#include "igaStructure/case/Case.hpp"
+#include "igaStructure/coupledRun/StateFolder.hpp"
+#include "igaStructure/coupledRun/WetBoundary.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace tokay::structure {
+
+/// From where a coupled run goes on.
+struct StartState {
+    SavedState saved;
+    /// For each component of the interface now its number in the saved state;
+    /// empty if the fluid's mesh at the interface is another one.
+    std::vector<int> components;
+};
+
+/// Where the saved states of a case are.
+StateFolder stateFolder(const Case& structureCase);
+
+/// The saved state that belongs to the fluid's fields at its start time; none
+/// if the fluid starts from an undeformed mesh, and so the structure at rest.
+/// @throws InputError if the fluid is deformed and no such state is found
+std::optional<StartState> findStartState(const Case& structureCase, int nUnknowns,
+                                         const WetBoundary& boundary,
+                                         const coupling::Interface& fluid);
+
+} // namespace tokay::structure

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "geometry/spline/NurbsCurve.hpp"
+#include "igaStructure/kinematics/beam/LineEnd.hpp"
+#include "igaStructure/assembly/RigidMotions.hpp"
+
+#include <Eigen/SparseCore>
+
+#include <vector>
+
+namespace tokay::structure {
+
+/// Unknowns of a line whose ends may not turn. The tangent at an end runs along
+/// its first two control points, so the end keeps its direction if and only if
+/// the second one moves with the first across the tangent, however large the
+/// motion. Where a rotation is held the second control point's unknowns are
+/// therefore its displacement along the reference tangent, and across it (in
+/// space along two normals) relative to the first control point: these are then
+/// zero.
+class EndFrames {
+  public:
+    /// @param dimension  2 or 3: unknowns a control point
+    /// @throws InputError if two held ends share a control point
+    EndFrames(const geometry::NurbsCurve& curve, const std::vector<LineSupport>& supports,
+              int dimension);
+
+    /// Unknowns that supports hold, dimension nControlPoints.
+    const std::vector<bool>& fixed() const { return fixed_; }
+
+    /// @param unknowns  dimension nControlPoints
+    /// @return          displacements of control points along x, y and in space z
+    Eigen::VectorXd displacements(const Eigen::VectorXd& unknowns) const;
+
+    /// The transpose: forces on unknowns.
+    Eigen::VectorXd forces(const Eigen::VectorXd& onControlPoints) const;
+
+    /// A matrix for control points becomes one for unknowns.
+    Eigen::SparseMatrix<double> matrix(const Eigen::SparseMatrix<double>& ofControlPoints) const;
+
+    /// Rigid motions that what is held leaves free, in words. In space turning about
+    /// its chord does not count as one.
+    std::vector<std::string> freeRigidMotions() const { return motions_.freeOnes(); }
+
+  private:
+    void holdWhatIsNoMotion(const geometry::NurbsCurve& curve);
+    void hold(const geometry::NurbsCurve& curve, const LineSupport& support);
+    void holdRotation(int first, int second, const Eigen::Vector3d& tangent);
+
+    int dimension_;
+    bool isIdentity_ = true;
+    std::vector<bool> fixed_;
+    Eigen::SparseMatrix<double> toDisplacements_;
+    RigidMotions motions_;
+};
+
+} // namespace tokay::structure

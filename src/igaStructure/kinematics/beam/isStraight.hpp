@@ -1,0 +1,11 @@
+#pragma once
+
+#include "geometry/spline/NurbsCurve.hpp"
+
+namespace tokay::structure {
+
+/// Whether all control points lie on the line through the first and last one,
+/// to rounding.
+bool isStraight(const geometry::NurbsCurve& curve);
+
+} // namespace tokay::structure

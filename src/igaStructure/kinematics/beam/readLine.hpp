@@ -1,0 +1,13 @@
+#pragma once
+
+#include "igaStructure/kinematics/beam/LineCase.hpp"
+
+namespace tokay::structure {
+
+class CaseSection;
+
+/// Reads the structure of a case with the kinematics beam or cable.
+/// @throws InputError for entries that do not fit each other
+LineCase readLine(const CaseSection& file);
+
+} // namespace tokay::structure

@@ -1,0 +1,46 @@
+#include "igaStructure/kinematics/beam/sectionMotion.hpp"
+
+#include "igaStructure/kinematics/beam/planeVectors.hpp"
+
+namespace tokay::structure {
+
+using Eigen::Vector2d;
+
+namespace {
+
+// Rate of the angle of a tangent.
+double angleRate(const Vector2d& tangent, const Vector2d& rate) {
+    return cross(tangent, rate) / tangent.squaredNorm();
+}
+
+} // namespace
+
+Vector2d sectionDisplacement(const LineField& reference, const LineField& displacement, double zeta,
+                             bool isLinear) {
+    if (isLinear) {
+        return sectionVelocity(reference, displacement, displacement, zeta, true);
+    }
+    return displacement.value + zeta * turned((reference.slope + displacement.slope).normalized() -
+                                              reference.slope.normalized());
+}
+
+Vector2d sectionVelocity(const LineField& reference, const LineField& displacement,
+                         const LineField& velocity, double zeta, bool isLinear) {
+    const Vector2d a = isLinear ? reference.slope : Vector2d(reference.slope + displacement.slope);
+    return velocity.value - zeta * angleRate(a, velocity.slope) * a.normalized();
+}
+
+Vector2d sectionAcceleration(const LineField& reference, const LineField& displacement,
+                             const LineField& velocity, const LineField& acceleration, double zeta,
+                             bool isLinear) {
+    if (isLinear) {
+        return sectionVelocity(reference, displacement, acceleration, zeta, true);
+    }
+    const Vector2d a = reference.slope + displacement.slope;
+    const double rate = angleRate(a, velocity.slope);
+    const double angleAcceleration =
+        angleRate(a, acceleration.slope) - 2 * rate * a.dot(velocity.slope) / a.squaredNorm();
+    return acceleration.value - zeta * (angleAcceleration * a + rate * rate * turned(a)) / a.norm();
+}
+
+} // namespace tokay::structure

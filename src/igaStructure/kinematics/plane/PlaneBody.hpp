@@ -1,0 +1,44 @@
+#pragma once
+
+#include "geometry/projection/SurfaceProjector.hpp"
+#include "igaStructure/kinematics/Body.hpp"
+#include "igaStructure/kinematics/plane/PlaneSolid.hpp"
+
+namespace tokay::structure {
+
+/// A patch in the plane z = 0, in plane strain or plane stress.
+class PlaneBody : public Body {
+  public:
+    explicit PlaneBody(PlaneSolid solid) : solid_(std::move(solid)), projector_(solid_.surface()) {}
+
+    StructuralModel& model() override { return solid_; }
+    const StructuralModel& model() const override { return solid_; }
+    int dimension() const override { return 2; }
+    std::string description() const override;
+    std::vector<VtuMesh> meshes(const OutputOptions& options) const override;
+
+    /// stress: Cauchy's, in the order xx yy zz xy yz xz.
+    std::vector<std::string> fieldNames() const override;
+    std::vector<std::string> defaultFields() const override;
+    Eigen::MatrixXd positions(const std::vector<Place>& places) const override;
+    Eigen::MatrixXd displacements(const Eigen::VectorXd& displacement,
+                                  const std::vector<Place>& places) const override;
+    Eigen::MatrixXd field(const std::string& name, const MotionState& state,
+                          const std::vector<Place>& places) const override;
+    Closest closest(const geometry::Point& point) const override;
+    /// Of the whole body, over its largest extent.
+    double massPerWetArea() const override;
+    double thickness() const override { return massPerWetArea() / solid_.material().density; }
+    std::vector<std::string> advice() const override;
+    std::unique_ptr<InterfaceTransfer> transfer(const Coupling& coupling,
+                                                const geometry::Points& points) const override;
+
+  private:
+    Eigen::MatrixXd stress(const Eigen::VectorXd& displacement,
+                           const std::vector<Place>& places) const;
+
+    PlaneSolid solid_;
+    geometry::SurfaceProjector projector_;
+};
+
+} // namespace tokay::structure

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "geometry/spline/NurbsSurface.hpp"
+#include "igaStructure/assembly/TabulatedBasis.hpp"
+
+#include <Eigen/Core>
+
+namespace tokay::structure {
+
+/// The functions of a plane patch on one element (knot span), at one
+/// quadrature point after the other, with their gradients in the reference
+/// configuration.
+class PlaneElement {
+  public:
+    using Gradients = Eigen::Matrix<double, 2, Eigen::Dynamic>;
+
+    /// References are kept.
+    PlaneElement(const geometry::NurbsSurface& surface, const TabulatedBasis& u,
+                 const TabulatedBasis& v);
+
+    int nFunctions() const { return u_.nFunctions() * v_.nFunctions(); }
+    int nPoints() const { return u_.nPointsPerSpan() * v_.nPointsPerSpan(); }
+
+    void moveToElement(int spanU, int spanV);
+    void moveToPoint(int point);
+
+    int firstU() const { return u_.firstFunction(spanU_); }
+    int firstV() const { return v_.firstFunction(spanV_); }
+    /// Control point of each function.
+    const std::vector<int>& controlPoints() const { return controlPoints_; }
+
+    const Eigen::VectorXd& values() const { return values_; }
+    /// Column a: gradient of function a [1/m].
+    const Gradients& gradients() const { return gradients_; }
+    Eigen::Vector2d position() const { return coordinates_ * values_; }
+    /// Quadrature weight times area element [m^2].
+    double area() const { return area_; }
+
+    /// @throws InputError if the patch folds over at the point
+    void requireRegular() const;
+
+  private:
+    void makeRational();
+
+    const geometry::NurbsSurface& surface_;
+    const TabulatedBasis& u_;
+    const TabulatedBasis& v_;
+    int spanU_ = 0;
+    int spanV_ = 0;
+    std::vector<int> controlPoints_;
+    Eigen::Matrix<double, 2, Eigen::Dynamic> coordinates_;
+    Eigen::VectorXd weights_;
+    Eigen::VectorXd values_;
+    Gradients gradients_;
+    double area_ = 0;
+};
+
+} // namespace tokay::structure

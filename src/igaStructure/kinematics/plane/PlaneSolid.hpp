@@ -1,0 +1,82 @@
+#pragma once
+
+#include "igaStructure/kinematics/plane/ExternalForce.hpp"
+#include "igaStructure/kinematics/plane/Material.hpp"
+#include "igaStructure/assembly/Strains.hpp"
+#include "igaStructure/assembly/StructuralModel.hpp"
+#include "igaStructure/kinematics/plane/Supports.hpp"
+#include "igaStructure/assembly/TabulatedBasis.hpp"
+#include "igaStructure/assembly/TensorPattern.hpp"
+
+namespace tokay::structure {
+
+class PlaneElement;
+
+/// State of a point of a plane body.
+struct PlaneState {
+    Eigen::Vector2d displacement;
+    Eigen::Matrix3d cauchyStress; ///< [Pa]
+};
+
+/// Isoparametric NURBS patch that deforms in its plane (total Lagrangian,
+/// St. Venant-Kirchhoff), degree + 1 Gauss points a direction and element.
+class PlaneSolid : public StructuralModel {
+  public:
+    /// @throws InputError if the patch folds over, or does not lie in z = 0
+    PlaneSolid(geometry::NurbsSurface surface, const Material& material, Strains strains,
+               const std::vector<Support>& supports, Loads loads);
+
+    int nUnknowns() const override { return 2 * surface_.nControlPoints(); }
+    int nComponents() const override { return 2; }
+    bool isLinear() const override { return strains_ == Strains::linear; }
+    SparseMatrix massMatrix() const override;
+    /// Row sums of the consistent one.
+    SparseMatrix lumpedMassMatrix() const override;
+    double massDamping() const override { return material_.massDamping; }
+    double stiffnessDamping() const override { return material_.stiffnessDamping; }
+    Internal internalForce(const Eigen::VectorXd& displacement) const override;
+    Internal internalForce(const Eigen::VectorXd& displacement,
+                           SparseMatrix& tangent) const override;
+    double strainEnergy(const Eigen::VectorXd& displacement) const override;
+    const Eigen::VectorXd& externalForce(double time) override { return external_.at(time); }
+    const std::vector<bool>& fixed() const override { return fixed_; }
+    std::vector<std::string> freeRigidMotions() const override;
+    double size() const override;
+
+    const geometry::NurbsSurface& surface() const { return surface_; }
+    const Material& material() const { return material_; }
+    int nElements() const { return u_.nSpans() * v_.nSpans(); }
+
+    PlaneState stateAt(double xi, double eta, const Eigen::VectorXd& displacement) const;
+
+  private:
+    // In-plane strain (11, 22, 2*12), and the matrix that its variation needs:
+    // the deformation gradient, or the identity if strains are linear.
+    struct Strain {
+        Eigen::Vector3d value;
+        Eigen::Matrix2d gradient;
+        double volumeRatio;
+    };
+    Strain strain(const Eigen::Matrix2d& displacementGradient) const;
+
+    struct Workspace;
+    void addTangent(const PlaneElement& element, const Strain& strain, int point,
+                    Workspace& workspace) const;
+
+    // Calls visit(element) at each Gauss point, and finish(element) after the
+    // last one of each element.
+    template <class Visit, class Finish>
+    void forEachPoint(Visit visit, Finish finish) const;
+
+    geometry::NurbsSurface surface_;
+    Material material_;
+    Strains strains_;
+    Eigen::Matrix3d stiffness_;
+    Eigen::Matrix3d stiffnessRoot_; ///< upper triangular R, C = R^T R
+    std::vector<bool> fixed_;
+    TabulatedBasis u_, v_;
+    TensorPattern pattern_;
+    ExternalForce external_;
+};
+
+} // namespace tokay::structure

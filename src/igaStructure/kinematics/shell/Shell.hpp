@@ -1,0 +1,106 @@
+#pragma once
+
+#include "igaStructure/assembly/StructuralModel.hpp"
+#include "igaStructure/kinematics/shell/loads/DeadLoads.hpp"
+#include "igaStructure/kinematics/shell/element/ElementSweep.hpp"
+#include "igaStructure/kinematics/shell/loads/FollowerLoads.hpp"
+#include "igaStructure/assembly/NodePattern.hpp"
+#include "igaStructure/kinematics/shell/edges/ShellConstraints.hpp"
+#include "igaStructure/kinematics/shell/element/ShellDescription.hpp"
+#include "igaStructure/kinematics/shell/element/ShellNodes.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tokay::structure {
+
+/// State of a point of a shell. Vectors (11, 22, 12) are Cartesian components in the
+/// tangent plane, axis 1 along the first parameter line.
+struct ShellState {
+    Eigen::Vector3d displacement; ///< [m]
+    Eigen::Vector3d force;        ///< n, per current length [N/m]
+    Eigen::Vector3d moment;       ///< m, per current length [N]
+};
+
+/// Rotation-free Kirchhoff-Love shell, or a membrane, on trimmed NURBS patches that
+/// are joined along their edges (total Lagrangian, isoparametric). Rotational
+/// inertia of the thickness is left out.
+/// Source: Kiendl, Bletzinger, Linhard & Wuechner 2009
+class Shell : public StructuralModel {
+  public:
+    /// @throws InputError if a patch is degenerate, patches that shall be joined are
+    ///         apart, or a membrane has a load that needs bending
+    explicit Shell(ShellDescription description);
+
+    int nUnknowns() const override { return 3 * nodes_.count(); }
+    int nComponents() const override { return 3; }
+    bool isLinear() const override { return description_.strains == Strains::linear; }
+    SparseMatrix massMatrix() const override;
+    SparseMatrix lumpedMassMatrix() const override;
+    double massDamping() const override { return description_.material.massDamping; }
+    double stiffnessDamping() const override { return description_.material.stiffnessDamping; }
+    Internal internalForce(const Eigen::VectorXd& displacement) const override;
+    Internal internalForce(const Eigen::VectorXd& displacement,
+                           SparseMatrix& tangent) const override;
+    double strainEnergy(const Eigen::VectorXd& displacement) const override;
+    /// Those that follow are taken at rest by a linear shell.
+    const Eigen::VectorXd& externalForce(double time) override;
+    void addFollowerForce(const Eigen::VectorXd& displacement, double time,
+                          Eigen::VectorXd& force) const override;
+    void subtractFollowerDerivative(const Eigen::VectorXd& displacement, double time,
+                                    SparseMatrix& tangent) const override;
+    bool hasSymmetricTangent() const override { return hasSymmetricTangent_; }
+    const std::vector<bool>& fixed() const override { return constraints_.fixed; }
+    std::vector<std::string> freeRigidMotions() const override;
+    double size() const override { return description_.model.size(); }
+
+    const ShellDescription& description() const { return description_; }
+    const geometry::BrepModel& model() const { return description_.model; }
+    const ShellNodes& nodes() const { return nodes_; }
+    const ShellPatches& patches() const { return patches_; }
+    const ShellConstraints& constraints() const { return constraints_; }
+
+    /// Threads of assembly; if never said, as many as there are and work pays for. The
+    /// result is the same for any number.
+    void setThreads(int nThreads) { nThreads_ = nThreads; }
+
+    /// Of a point at a distance zeta from the middle surface, along its normal [m].
+    Eigen::Vector3d displacementAt(int face, const geometry::Parameters& at, double zeta,
+                                   const Eigen::VectorXd& displacement) const;
+
+    ShellState stateAt(int face, double xi, double eta, const Eigen::VectorXd& displacement) const;
+
+  private:
+    struct Workspace;
+    struct Totals;
+    struct PointAnswer;
+    void buildPatches();
+    void buildPattern();
+    PointAnswer linearAnswer(const ShellElement& element,
+                             const SurfaceDerivatives& displacement) const;
+    PointAnswer nonlinearAnswer(const ShellElement& element, const SurfaceDerivatives& displacement,
+                                bool withStiffness) const;
+    void visitElement(ShellElement& element, int row, const Eigen::VectorXd& displacement,
+                      SparseMatrix* tangent, Workspace& workspace, Totals& totals) const;
+    void addSprings(const Eigen::VectorXd& displacement, SparseMatrix* tangent,
+                    Eigen::VectorXd& force, double& energy) const;
+    Internal evaluate(const Eigen::VectorXd& displacement, SparseMatrix* tangent,
+                      double& energy) const;
+    int nThreads() const;
+    ShellElement elementAt(int face, const geometry::Parameters& at) const;
+
+    ShellDescription description_;
+    ShellNodes nodes_;
+    ShellPatches patches_;
+    std::unique_ptr<ElementSweep> sweep_;
+    ShellConstraints constraints_;
+    std::unique_ptr<NodePattern> pattern_;
+    std::unique_ptr<DeadLoads> deadLoads_;
+    std::unique_ptr<FollowerLoads> followerLoads_;
+    Eigen::VectorXd externalForce_;
+    bool hasSymmetricTangent_;
+    int nThreads_ = 0;
+};
+
+} // namespace tokay::structure

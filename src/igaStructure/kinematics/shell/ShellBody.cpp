@@ -1,0 +1,223 @@
+#include "igaStructure/kinematics/shell/ShellBody.hpp"
+
+#include "geometry/trimming/patchTriangles.hpp"
+#include "igaStructure/kinematics/shell/ShellTransfer.hpp"
+#include "igaStructure/kinematics/thinness.hpp"
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace tokay::structure {
+
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr std::uint8_t vtkTriangle = 5;
+
+// The part of a patch inside its loops, as fine as cells of full elements.
+VtuMesh triangleMesh(const geometry::TrimmedPatch& patch, int number, int subdivision) {
+    const geometry::Box box = geometry::Box::around(patch.basis().controlPoints());
+    const int nCells = subdivision * std::max(patch.nElementsU(), patch.nElementsV());
+    // A chord of an arc leaves it by an eighth of its length, squared, over the radius.
+    const geometry::PatchTriangles triangles =
+        geometry::patchTriangles(patch, box.diagonal() / (8.0 * nCells * nCells));
+    VtuMesh mesh;
+    mesh.cellSize = 3;
+    mesh.cellType = vtkTriangle;
+    for (const geometry::Parameters& at : triangles.parameters) {
+        mesh.points.push_back({number, at[0], at[1], 0});
+    }
+    for (const std::array<int, 3>& triangle : triangles.triangles) {
+        mesh.connectivity.insert(mesh.connectivity.end(), triangle.begin(), triangle.end());
+    }
+    return mesh;
+}
+
+// Principal values of a plane tensor (11, 22, 12), the larger one first.
+Eigen::Vector2d principal(const Vector3d& tensor) {
+    const double mean = 0.5 * (tensor[0] + tensor[1]);
+    const double radius = std::hypot(0.5 * (tensor[0] - tensor[1]), tensor[2]);
+    return {mean + radius, mean - radius};
+}
+
+} // namespace
+
+ShellBody::ShellBody(ShellDescription description)
+    : shell_(std::move(description)), projector_(shell_.model()) {}
+
+std::string ShellBody::description() const {
+    const ShellDescription& all = shell_.description();
+    const auto [thinnest, thickest] =
+        std::minmax_element(all.thickness.begin(), all.thickness.end());
+    int nElements = 0;
+    int nCut = 0;
+    for (const auto& patch : shell_.patches()) {
+        nElements += static_cast<int>(patch->patch().elements(geometry::ElementState::full).size());
+        nCut += static_cast<int>(patch->patch().elements(geometry::ElementState::cut).size());
+    }
+    const geometry::NurbsSurface& first = shell_.patches()[0]->surface();
+    return fmt::format(
+        "  {}, {} strains, {} patch{} with {} joint{}, degree {} x {}, {} elements and {} cut "
+        "ones\n"
+        "  St. Venant-Kirchhoff: E {:g} Pa, nu {:g}, density {:g} kg/m^3, thickness {:g} to {:g} "
+        "m\n",
+        all.bending ? "Kirchhoff-Love shell" : "membrane",
+        shell_.isLinear() ? "linear" : "nonlinear", shell_.patches().size(),
+        shell_.patches().size() == 1 ? "" : "es", shell_.constraints().nJoints,
+        shell_.constraints().nJoints == 1 ? "" : "s", first.u().degree(), first.v().degree(),
+        nElements, nCut, all.material.youngsModulus, all.material.poissonsRatio,
+        all.material.density, *thinnest, *thickest);
+}
+
+std::vector<VtuMesh> ShellBody::meshes(const OutputOptions& options) const {
+    std::vector<VtuMesh> meshes;
+    for (std::size_t face = 0; face < shell_.patches().size(); ++face) {
+        const geometry::TrimmedPatch& patch = shell_.patches()[face]->patch();
+        const int number = static_cast<int>(face);
+        if (patch.isTrimmed()) {
+            meshes.push_back(triangleMesh(patch, number, options.subdivision));
+        } else if (options.cells == CellShape::bezier) {
+            meshes.push_back(bezierMesh(patch.basis(), number));
+        } else {
+            meshes.push_back(quadMesh(patch.basis(), options.subdivision, number));
+        }
+    }
+    return meshes;
+}
+
+std::vector<std::string> ShellBody::fieldNames() const {
+    return {"displacement",  "velocity",           "acceleration",         "membraneForce",
+            "bendingMoment", "principalStressTop", "principalStressBottom"};
+}
+
+std::vector<std::string> ShellBody::defaultFields() const {
+    if (shell_.description().bending) {
+        return {"displacement", "velocity", "membraneForce", "bendingMoment"};
+    }
+    return {"displacement", "velocity", "membraneForce"};
+}
+
+MatrixXd ShellBody::positions(const std::vector<Place>& places) const {
+    MatrixXd values(3, places.size());
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const geometry::Points d = shell_.patches()[places[k].patch]->surface().derivatives(
+            places[k].xi, places[k].eta, 1);
+        values.col(k) = d.row(0).transpose();
+        if (places[k].zeta != 0) {
+            const Vector3d normal =
+                d.row(1).transpose().head<3>().cross(d.row(2).transpose().head<3>());
+            values.col(k) += places[k].zeta * normal.normalized();
+        }
+    }
+    return values;
+}
+
+MatrixXd ShellBody::displacements(const Eigen::VectorXd& displacement,
+                                  const std::vector<Place>& places) const {
+    MatrixXd values(3, places.size());
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const Place& place = places[k];
+        values.col(k) =
+            shell_.displacementAt(place.patch, {place.xi, place.eta}, place.zeta, displacement);
+    }
+    return values;
+}
+
+MatrixXd ShellBody::field(const std::string& name, const MotionState& state,
+                          const std::vector<Place>& places) const {
+    if (name == "displacement") {
+        return displacements(state.displacement, places);
+    }
+    if (name == "velocity") {
+        return displacements(state.velocity, places); // on the middle surface linear
+    }
+    if (name == "acceleration") {
+        return displacements(state.acceleration, places);
+    }
+    MatrixXd values(name == "membraneForce" || name == "bendingMoment" ? 3 : 2, places.size());
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const Place& place = places[k];
+        const ShellState at = shell_.stateAt(place.patch, place.xi, place.eta, state.displacement);
+        const double t = shell_.description().thickness[place.patch];
+        if (name == "membraneForce") {
+            values.col(k) = at.force;
+        } else if (name == "bendingMoment") {
+            values.col(k) = at.moment;
+        } else {
+            assert(name == "principalStressTop" || name == "principalStressBottom");
+            const double side = name == "principalStressTop" ? 1 : -1;
+            values.col(k) = principal(at.force / t + side * 6 / (t * t) * at.moment);
+        }
+    }
+    return values;
+}
+
+Body::Closest ShellBody::closest(const geometry::Point& point) const {
+    const geometry::ModelProjection found = projector_.closest(point);
+    Place place{found.face, found.xi, found.eta, 0};
+    const geometry::Points d =
+        shell_.patches()[found.face]->surface().derivatives(found.xi, found.eta, 1);
+    const Vector3d a1 = d.row(1);
+    const Vector3d a2 = d.row(2);
+    const double half = 0.5 * shell_.description().thickness[found.face];
+    const double along = (point - d.row(0).transpose()).dot(a1.cross(a2).normalized());
+    place.zeta = std::clamp(along, -half, half);
+    return {place, (positions({place}).col(0) - point).norm()};
+}
+
+double ShellBody::thickness() const {
+    const std::vector<double>& thickness = shell_.description().thickness;
+    return *std::min_element(thickness.begin(), thickness.end());
+}
+
+double ShellBody::massPerWetArea() const {
+    return shell_.description().material.density * thickness();
+}
+
+// Over all faces, of thickness over radius of curvature.
+double ShellBody::largestThicknessOverRadius() const {
+    double largest = 0;
+    for (std::size_t face = 0; face < shell_.patches().size(); ++face) {
+        largest = std::max(largest, shell_.description().thickness[face] *
+                                        largestCurvature(shell_.patches()[face]->surface()));
+    }
+    return largest;
+}
+
+std::vector<std::string> ShellBody::advice() const {
+    const ShellDescription& all = shell_.description();
+    const double thickest = *std::max_element(all.thickness.begin(), all.thickness.end());
+    const double slenderness = shell_.size() / thickest;
+    if (!all.bending) {
+        const double stiffness =
+            all.material.youngsModulus / (1 - std::pow(all.material.poissonsRatio, 2));
+        return {fmt::format("slenderness (size over thickness) {:.3g}{}", slenderness,
+                            leftOutBending(thickest, stiffness, all.prestress.maxCoeff()))};
+    }
+    constexpr double least = 10; // shear adds about a percent to a plate's deflection
+    std::vector<std::string> lines = {
+        fmt::format("slenderness (size over thickness) {:.3g}{}", slenderness,
+                    slenderness < least ? ": shear deformation, which a Kirchhoff-Love shell "
+                                          "leaves out, is not small"
+                                        : ": in the range of a Kirchhoff-Love shell")};
+    constexpr double thick = 0.1;
+    if (const double share = largestThicknessOverRadius(); share > 1e-6) {
+        lines.push_back(fmt::format("thickness over radius of curvature {:.3g}, terms of which "
+                                    "order a shell leaves out{}",
+                                    share, share > thick ? "; a solid models them" : ""));
+    }
+    return lines;
+}
+
+std::unique_ptr<InterfaceTransfer> ShellBody::transfer(const Coupling& coupling,
+                                                       const geometry::Points& points) const {
+    return std::make_unique<ShellTransfer>(shell_, coupling, points);
+}
+
+} // namespace tokay::structure

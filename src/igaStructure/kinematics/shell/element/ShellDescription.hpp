@@ -1,0 +1,119 @@
+#pragma once
+
+#include "geometry/brep/BrepModel.hpp"
+#include "geometry/trimming/PatchQuadrature.hpp"
+#include "igaStructure/assembly/ElasticMaterial.hpp"
+#include "igaStructure/assembly/Field.hpp"
+#include "igaStructure/assembly/Strains.hpp"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace tokay::structure {
+
+using ShellMaterial = ElasticMaterial;
+
+/// An edge that is held.
+struct EdgeSupport {
+    /// The edge: trimming curves of faces.
+    std::vector<geometry::BrepTrim> trims;
+    std::array<bool, 3> fixed = {false, false, false};
+    /// Whether the surface cannot turn about the edge.
+    bool clamped = false;
+    /// By penalty even where the basis could do it exactly.
+    bool weak = false;
+};
+
+/// A place of a face that is held.
+struct PointSupport {
+    int face = 0;
+    geometry::Parameters at;
+    std::array<bool, 3> fixed = {false, false, false};
+};
+
+/// Loads of a shell; those that follow the deformation are pressure and moment.
+struct ShellLoads {
+    struct Traction {
+        int face;
+        VectorField traction; ///< per reference area [Pa]
+    };
+    struct Pressure {
+        std::vector<int> faces;
+        ScalarField pressure; ///< along a1 x a2, on the current area [Pa]
+    };
+    struct EdgeForce {
+        geometry::BrepTrim trim;
+        VectorField force; ///< per reference length [N/m]
+    };
+    struct EdgeMoment {
+        geometry::BrepTrim trim;
+        ScalarField moment; ///< turns a1 x a2 outwards across the edge [N]
+    };
+    struct PointForce {
+        int face;
+        geometry::Parameters at;
+        VectorField force; ///< [N]
+    };
+
+    std::vector<Traction> tractions;
+    std::vector<Pressure> pressures;
+    std::vector<VectorField> gravities; ///< acceleration [m/s^2]
+    std::vector<EdgeForce> edgeForces;
+    std::vector<EdgeMoment> edgeMoments;
+    std::vector<PointForce> pointForces;
+};
+
+/// How patches are joined along edges, and edges held weakly.
+enum class EdgeMethod {
+    penalty,
+    nitsche, ///< linear strains; St. Venant-Kirchhoff material if there is bending
+    lagrange ///< multipliers with a small compliance
+};
+
+/// What is done about elements of which trimming leaves a sliver.
+enum class SliverTreatment {
+    scaling,  ///< unknowns are scaled, as always
+    extension ///< their functions are tied to those of whole elements, too
+};
+
+/// All that makes a shell or membrane.
+struct ShellDescription {
+    /// Faces in the basis of the displacement; they are joined at edges of two or
+    /// more trims, displacement and angle.
+    geometry::BrepModel model;
+    std::vector<double> thickness; ///< of each face [m]
+    ShellMaterial material = {};
+    /// Of each face; empty: the one above. Damping and law are those of the one above.
+    std::vector<ShellMaterial> faceMaterial = {};
+    const ShellMaterial& materialOf(int face) const {
+        return faceMaterial.empty() ? material : faceMaterial[face];
+    }
+    Strains strains = Strains::nonlinear;
+    bool bending = true; ///< false: a membrane
+    /// Of a membrane: 11, 22, 12 in the frame of the first parameter line [Pa].
+    Eigen::Vector3d prestress = Eigen::Vector3d::Zero();
+    std::vector<EdgeSupport> edgeSupports = {};
+    std::vector<PointSupport> pointSupports = {};
+    ShellLoads loads = {};
+    /// If not given: penalty if its springs are given below. Else, as measured best
+    /// (benchmarks/shells), nitsche for linear strains, lagrange for nonlinear ones
+    /// with bending, penalty for membranes in nonlinear strains.
+    std::optional<EdgeMethod> edgeMethod = std::nullopt;
+    EdgeMethod chosenEdgeMethod() const {
+        const bool canNitsche = strains == Strains::linear &&
+                                (!bending || material.law == MaterialLaw::stVenantKirchhoff);
+        const EdgeMethod best = canNitsche ? EdgeMethod::nitsche
+                                : bending  ? EdgeMethod::lagrange
+                                           : EdgeMethod::penalty;
+        return edgeMethod.value_or(penalty ? EdgeMethod::penalty : best);
+    }
+    /// penalty, lagrange: stiffness of springs that hold weakly, over
+    /// E t / ((1 - nu^2) h) and E t^3 / (12 (1 - nu^2) h), h being the size of an element;
+    /// 1e3 and 1e6 if not given. nitsche: factor on the stabilisation, 1 if not given.
+    std::optional<double> penalty = std::nullopt;
+    SliverTreatment sliverTreatment = SliverTreatment::extension;
+    geometry::QuadratureOptions cutRule = {};
+};
+
+} // namespace tokay::structure

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "igaStructure/kinematics/shell/element/ShellDescription.hpp"
+
+namespace tokay::structure {
+
+/// Whether the loads of a shell that follow it have a potential, so that their
+/// derivative is symmetric: no line moments, and pressures that are uniform on a
+/// surface whose rim is held. Held means: two components, or the one across a
+/// plane in which the rim lies. Joints count as closed, up to their compliance.
+/// Source: Schweizerhof & Ramm 1984
+bool followersHavePotential(const ShellDescription& shell);
+
+} // namespace tokay::structure

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "igaStructure/kinematics/shell/element/ShellDescription.hpp"
+
+#include <string>
+
+namespace tokay::structure {
+
+class CaseSection;
+
+/// What a case file says of a shell or membrane.
+/// @param directory  of the case file
+ShellDescription readShell(const CaseSection& file, const std::string& directory);
+
+} // namespace tokay::structure

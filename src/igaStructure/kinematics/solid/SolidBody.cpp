@@ -1,0 +1,157 @@
+#include "igaStructure/kinematics/solid/SolidBody.hpp"
+
+#include "igaStructure/kinematics/solid/SolidTransfer.hpp"
+#include "igaStructure/kinematics/vonMises.hpp"
+#include "igaStructure/kinematics/solid/SidePoints.hpp"
+#include "igaStructure/output/volumeMesh.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include <cassert>
+
+namespace tokay::structure {
+
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+
+namespace {
+
+Vector3d parameters(const Place& place) {
+    return {place.xi, place.eta, place.zeta};
+}
+
+// Descending, of stresses in the order xx yy zz xy yz xz.
+MatrixXd principalStresses(const MatrixXd& stress) {
+    MatrixXd values(3, stress.cols());
+    for (Eigen::Index k = 0; k < stress.cols(); ++k) {
+        const auto s = stress.col(k);
+        Eigen::Matrix3d tensor;
+        tensor << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(tensor, Eigen::EigenvaluesOnly);
+        values.col(k) = solver.eigenvalues().reverse();
+    }
+    return values;
+}
+
+} // namespace
+
+SolidBody::SolidBody(SolidDescription description)
+    : solid_(std::move(description)), projector_(solid_.volume()) {}
+
+std::string SolidBody::description() const {
+    const geometry::NurbsVolume& volume = solid_.volume();
+    const ElasticMaterial& material = solid_.material();
+    return fmt::format(
+        "  solid, {} strains, degree {} x {} x {}, {} x {} x {} elements{}\n"
+        "  {}: E {:g} Pa, nu {:g}, density {:g} kg/m^3, mass {:.4g} kg\n",
+        solid_.isLinear() ? "linear" : "nonlinear", volume.u().degree(), volume.v().degree(),
+        volume.w().degree(), volume.u().nSpans(), volume.v().nSpans(), volume.w().nSpans(),
+        volume.isRational() ? ", rational" : "",
+        material.law == MaterialLaw::neoHookean ? "neo-Hookean" : "St. Venant-Kirchhoff",
+        material.youngsModulus, material.poissonsRatio, material.density, solid_.mass());
+}
+
+std::vector<VtuMesh> SolidBody::meshes(const OutputOptions& options) const {
+    return {options.cells == CellShape::bezier
+                ? bezierMesh(solid_.volume())
+                : hexahedronMesh(solid_.volume(), options.subdivision)};
+}
+
+std::vector<std::string> SolidBody::fieldNames() const {
+    return {"displacement", "velocity",       "acceleration",
+            "stress",       "vonMisesStress", "principalStress"};
+}
+
+std::vector<std::string> SolidBody::defaultFields() const {
+    return {"displacement", "velocity", "stress"};
+}
+
+MatrixXd SolidBody::positions(const std::vector<Place>& places) const {
+    MatrixXd values(3, places.size());
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        values.col(k) = solid_.volume().point(parameters(places[k]));
+    }
+    return values;
+}
+
+MatrixXd SolidBody::displacements(const Eigen::VectorXd& displacement,
+                                  const std::vector<Place>& places) const {
+    MatrixXd values = MatrixXd::Zero(3, places.size());
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const geometry::VolumeBasis basis = solid_.volume().basis(parameters(places[k]));
+        for (std::size_t a = 0; a < basis.controlPoints.size(); ++a) {
+            values.col(k) += basis.N(0, static_cast<Eigen::Index>(a)) *
+                             displacement.segment<3>(3 * basis.controlPoints[a]);
+        }
+    }
+    return values;
+}
+
+MatrixXd SolidBody::stress(const Eigen::VectorXd& displacement,
+                           const std::vector<Place>& places) const {
+    MatrixXd values(6, places.size());
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const Eigen::Matrix3d s = solid_.stateAt(parameters(places[k]), displacement).cauchyStress;
+        values.col(k) << s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(0, 2);
+    }
+    return values;
+}
+
+MatrixXd SolidBody::field(const std::string& name, const MotionState& state,
+                          const std::vector<Place>& places) const {
+    if (name == "displacement") {
+        return displacements(state.displacement, places);
+    }
+    if (name == "velocity") {
+        return displacements(state.velocity, places); // linear in the unknowns
+    }
+    if (name == "acceleration") {
+        return displacements(state.acceleration, places);
+    }
+    const MatrixXd values = stress(state.displacement, places);
+    if (name == "stress") {
+        return values;
+    }
+    assert(name == "vonMisesStress" || name == "principalStress");
+    return name == "vonMisesStress" ? vonMises(values) : principalStresses(values);
+}
+
+Body::Closest SolidBody::closest(const geometry::Point& point) const {
+    const geometry::VolumeProjection found = projector_.closest(point);
+    return {{0, found.parameters[0], found.parameters[1], found.parameters[2]}, found.distance};
+}
+
+double SolidBody::surfaceArea() const {
+    double area = 0;
+    for (int side = 0; side < 6; ++side) {
+        const SidePoints points(solid_.volume(), static_cast<geometry::Side>(side));
+        for (const SidePoints::SideElement& element : points.elements()) {
+            for (const SidePoints::SidePoint& point : element.points) {
+                area += point.weight * point.tangentXi.cross(point.tangentEta).norm();
+            }
+        }
+    }
+    return area;
+}
+
+double SolidBody::massPerWetArea() const {
+    return solid_.mass() / (0.5 * surfaceArea());
+}
+
+std::vector<std::string> SolidBody::advice() const {
+    const double slenderness = solid_.size() / thickness();
+    constexpr double slender = 20; // shear then adds less than a percent
+    return {fmt::format("slenderness (size over volume by half the surface) {:.3g}{}", slenderness,
+                        slenderness > slender
+                            ? ": a shell or a beam has the same motion with far fewer unknowns"
+                            : "")};
+}
+
+std::unique_ptr<InterfaceTransfer> SolidBody::transfer(const Coupling& coupling,
+                                                       const geometry::Points& points) const {
+    return std::make_unique<SolidTransfer>(solid_, coupling, points);
+}
+
+} // namespace tokay::structure

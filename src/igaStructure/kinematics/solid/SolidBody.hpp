@@ -1,0 +1,45 @@
+#pragma once
+
+#include "geometry/projection/VolumeProjector.hpp"
+#include "igaStructure/kinematics/Body.hpp"
+#include "igaStructure/kinematics/solid/Solid.hpp"
+
+namespace tokay::structure {
+
+/// A trivariate solid; the zeta of its places is a parameter.
+class SolidBody : public Body {
+  public:
+    explicit SolidBody(SolidDescription description);
+
+    StructuralModel& model() override { return solid_; }
+    const StructuralModel& model() const override { return solid_; }
+    int dimension() const override { return 3; }
+    std::string description() const override;
+    std::vector<VtuMesh> meshes(const OutputOptions& options) const override;
+
+    /// stress: Cauchy's, in the order xx yy zz xy yz xz; principalStress: descending.
+    std::vector<std::string> fieldNames() const override;
+    std::vector<std::string> defaultFields() const override;
+    Eigen::MatrixXd positions(const std::vector<Place>& places) const override;
+    Eigen::MatrixXd displacements(const Eigen::VectorXd& displacement,
+                                  const std::vector<Place>& places) const override;
+    Eigen::MatrixXd field(const std::string& name, const MotionState& state,
+                          const std::vector<Place>& places) const override;
+    Closest closest(const geometry::Point& point) const override;
+    /// Of the whole body, over half its surface: of a slender one, its section's.
+    double massPerWetArea() const override;
+    double thickness() const override { return massPerWetArea() / solid_.material().density; }
+    std::vector<std::string> advice() const override;
+    std::unique_ptr<InterfaceTransfer> transfer(const Coupling& coupling,
+                                                const geometry::Points& points) const override;
+
+  private:
+    Eigen::MatrixXd stress(const Eigen::VectorXd& displacement,
+                           const std::vector<Place>& places) const;
+    double surfaceArea() const;
+
+    Solid solid_;
+    geometry::VolumeProjector projector_;
+};
+
+} // namespace tokay::structure

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "geometry/spline/NurbsVolume.hpp"
+#include "igaStructure/assembly/ElasticMaterial.hpp"
+#include "igaStructure/assembly/Field.hpp"
+#include "igaStructure/assembly/Strains.hpp"
+
+#include <array>
+#include <vector>
+
+namespace tokay::structure {
+
+/// What is held: a side, or where several sides meet, an edge or a corner.
+struct SolidSupport {
+    std::vector<geometry::Side> sides;
+    std::array<bool, 3> fixed = {false, false, false};
+};
+
+/// Loads of a solid; those that follow the deformation are pressures.
+struct SolidLoads {
+    struct Traction {
+        geometry::Side side;
+        VectorField traction; ///< per reference area [Pa]
+    };
+    struct Pressure {
+        geometry::Side side;
+        ScalarField pressure; ///< against the outward normal, on the current area [Pa]
+    };
+
+    std::vector<Traction> tractions;
+    std::vector<Pressure> pressures;
+    std::vector<VectorField> gravities; ///< acceleration [m/s^2]
+};
+
+/// All that makes a solid.
+struct SolidDescription {
+    geometry::NurbsVolume volume; ///< in the basis of the displacement
+    ElasticMaterial material = {};
+    Strains strains = Strains::nonlinear;
+    std::vector<SolidSupport> supports = {};
+    SolidLoads loads = {};
+};
+
+} // namespace tokay::structure

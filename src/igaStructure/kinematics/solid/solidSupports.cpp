@@ -1,0 +1,77 @@
+#include "igaStructure/kinematics/solid/solidSupports.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace tokay::structure {
+
+namespace {
+
+// Control points that lie on all of the sides.
+std::vector<int> commonControlPoints(const geometry::NurbsVolume& volume,
+                                     const std::vector<geometry::Side>& sides) {
+    std::vector<int> common = volume.boundarySurface(sides.front()).controlPoints;
+    for (geometry::Side side : sides) {
+        const std::vector<int> own = volume.boundarySurface(side).controlPoints; // ascending
+        std::vector<int> both;
+        std::set_intersection(common.begin(), common.end(), own.begin(), own.end(),
+                              std::back_inserter(both));
+        common = std::move(both);
+    }
+    return common;
+}
+
+} // namespace
+
+std::vector<bool> fixedUnknowns(const geometry::NurbsVolume& volume,
+                                const std::vector<SolidSupport>& supports) {
+    std::vector<bool> fixed(3 * volume.nControlPoints(), false);
+    for (const SolidSupport& support : supports) {
+        for (int k : commonControlPoints(volume, support.sides)) {
+            for (int c = 0; c < 3; ++c) {
+                fixed[3 * k + c] = fixed[3 * k + c] || support.fixed[c];
+            }
+        }
+    }
+    return fixed;
+}
+
+namespace {
+
+bool isHeld(const geometry::NurbsVolume& volume, const std::vector<int>& edge,
+            const std::vector<bool>& fixed) {
+    const geometry::Points points = volume.controlPoints()(edge, Eigen::all);
+    const double length = (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
+    int nFixed = 0;
+    bool acrossPlane = false;
+    for (int c = 0; c < 3; ++c) {
+        if (std::all_of(edge.begin(), edge.end(), [&](int k) { return fixed[3 * k + c]; })) {
+            ++nFixed;
+            const auto x = points.col(c);
+            acrossPlane = acrossPlane || x.maxCoeff() - x.minCoeff() <= 1e-12 * length;
+        }
+    }
+    return nFixed >= 2 || acrossPlane;
+}
+
+} // namespace
+
+bool pressuresHavePotential(const SolidDescription& solid, const std::vector<bool>& fixed) {
+    for (const SolidLoads::Pressure& load : solid.loads.pressures) {
+        if (load.pressure.dependsOnPlace) {
+            return false;
+        }
+        for (int number = 0; number < 6; ++number) {
+            const auto other = static_cast<geometry::Side>(number);
+            const bool isNeighbour = number / 2 != static_cast<int>(load.side) / 2;
+            if (isNeighbour &&
+                !isHeld(solid.volume, commonControlPoints(solid.volume, {load.side, other}),
+                        fixed)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+} // namespace tokay::structure

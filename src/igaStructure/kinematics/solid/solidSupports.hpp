@@ -1,0 +1,21 @@
+#pragma once
+
+#include "igaStructure/kinematics/solid/SolidDescription.hpp"
+
+#include <vector>
+
+namespace tokay::structure {
+
+/// Unknowns of a solid that supports fix. Open knot vectors make a side depend on
+/// its own control points only, so fixing these is exact.
+/// @return  3 nControlPoints, component c of control point k is 3 k + c
+std::vector<bool> fixedUnknowns(const geometry::NurbsVolume& volume,
+                                const std::vector<SolidSupport>& supports);
+
+/// Whether the pressures on a solid have a potential, so that their derivative is
+/// symmetric: each is uniform on its side, and each edge of that side is held in two
+/// components, or across a plane in which it lies.
+/// Source: Schweizerhof & Ramm 1984
+bool pressuresHavePotential(const SolidDescription& solid, const std::vector<bool>& fixed);
+
+} // namespace tokay::structure

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "geometry/spline/NurbsCurve.hpp"
+#include "geometry/spline/NurbsSurface.hpp"
+
+#include <string>
+
+namespace tokay::structure {
+
+/// Largest curvature in the middle of an element [1/m].
+double largestCurvature(const geometry::NurbsCurve& curve);
+
+/// Of the principal ones.
+double largestCurvature(const geometry::NurbsSurface& surface);
+
+/// How far from supports the bending stiffness of a membrane or cable, which the
+/// model leaves out, would matter: t sqrt(stiffness / (12 prestress)), the length
+/// over which a stretched strip's deflection leaves a clamp. For the end of a
+/// sentence; empty without prestress.
+/// @param stiffness  of stretching
+/// @param prestress  in the same unit
+std::string leftOutBending(double thickness, double stiffness, double prestress);
+
+} // namespace tokay::structure

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "mapper/interface/InterfaceCurve.hpp"
+
+namespace tokay::mapper {
+
+/// InterfaceCurve::normalSlopes of an edge, values by the surface's numbers.
+std::vector<NormalSlope> normalSlopes(const geometry::CurveOnSurface& edge);
+
+} // namespace tokay::mapper

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "mapper/GapStatistics.hpp"
+#include "mapper/intersection/MortarAssembler.hpp"
+#include "mapper/interface/SurfaceMesh.hpp"
+
+namespace tokay::mapper {
+
+/// Integrates over the destination's triangles: those of the source near one, along its normal, are
+/// projected onto its plane, intersected with it, and the pieces triangulated.
+void integrateIntersection(const SurfaceMesh& from, const SurfaceMesh& to, const GapLimit& gapLimit,
+                           MortarAssembler& assembler, GapStatistics& gaps);
+
+} // namespace tokay::mapper

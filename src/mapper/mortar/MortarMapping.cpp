@@ -1,0 +1,219 @@
+#include "mapper/mortar/MortarMapping.hpp"
+
+#include "common/errors.hpp"
+#include "geometry/spline/SurfaceEvaluator.hpp"
+#include "geometry/trimming/elementQuadrature.hpp"
+#include "mapper/intersection/SplineFacets.hpp"
+#include "mapper/Stopwatch.hpp"
+#include "mapper/conservation.hpp"
+#include "mapper/intersection/curveIntersection.hpp"
+#include "mapper/intersection/meshIntersection.hpp"
+#include "mapper/mortar/normalEnergy.hpp"
+#include "mapper/intersection/patchIntersection.hpp"
+
+namespace tokay::mapper {
+
+namespace {
+
+int quadratureDegree(const SurfaceInterface& splines, const MortarOptions& options) {
+    if (options.patchQuadratureDegree > 0)
+        return options.patchQuadratureDegree;
+    int degree = 1;
+    for (int i = 0; i < splines.nPieces(); ++i) {
+        const geometry::NurbsSurface& surface = splines.piece(i).patch.basis();
+        degree = std::max(degree, surface.u().degree() + surface.v().degree());
+    }
+    return degree;
+}
+
+/// Area of the patches, and their functions, whether a face reaches them or not.
+double markPatches(const SurfaceInterface& splines, int degree, MortarAssembler& assembler) {
+    double area = 0;
+    for (int i = 0; i < splines.nPieces(); ++i) {
+        const geometry::TrimmedPatch& patch = splines.piece(i).patch;
+        geometry::SurfaceEvaluator surface(patch.basis());
+        for (int element = 0; element < patch.nElements(); ++element)
+            for (const auto& at : elementQuadrature(patch, element, degree)) {
+                surface.moveTo(at.xi, at.eta);
+                area += at.weight * surface.jacobian();
+                for (const int number : surface.controlPoints())
+                    assembler.addUnmatched(splines.piece(i).controlPoints[number]);
+            }
+    }
+    return area;
+}
+
+void integrateIntersection(const SurfaceMesh& from, const SurfaceInterface& to,
+                           const MortarOptions& options, MortarAssembler& assembler,
+                           GapStatistics& gaps) {
+    const int degree = quadratureDegree(to, options);
+    double covered = 0;
+    Functions onMesh;
+    IntersectionVisitor visitor;
+    visitor.point = [&](const IntersectionPoint& at) {
+        covered += at.weight;
+        if (!gaps.count(at.position, at.gap, true, false, at.weight))
+            return;
+        from.evaluate(at.triangle, at.inTriangle, onMesh);
+        assembler.add(at.weight, at.onPatch, onMesh, at.element);
+    };
+    visitor.endTriangle = [&](int triangle, double) {
+        if (triangle + 1 == from.nTriangles() || from.faceOf(triangle + 1) != from.faceOf(triangle))
+            assembler.endGroup();
+    };
+    intersect(from, to, options.gapLimit.relative * from.size(), degree, visitor);
+    const double area = markPatches(to, degree, assembler);
+    if (covered < (1 - 1e-9) * area)
+        gaps.countUncovered(area - covered);
+}
+
+void integrateIntersection(const SurfaceInterface& from, const SurfaceMesh& to,
+                           const MortarOptions& options, MortarAssembler& assembler,
+                           GapStatistics& gaps) {
+    Functions onMesh;
+    IntersectionVisitor visitor;
+    visitor.point = [&](const IntersectionPoint& at) {
+        to.evaluate(at.triangle, at.inTriangle, onMesh);
+        if (gaps.count(at.position, at.gap, true, false, at.weight))
+            assembler.add(at.weight, onMesh, at.onPatch);
+        else
+            assembler.addUnmatched(onMesh);
+    };
+    visitor.endTriangle = [&](int triangle, double coveredShare) {
+        if (coveredShare < 1 - 1e-9) {
+            gaps.countUncovered((1 - coveredShare) * to.triangle(triangle).area());
+            assembler.addUnmatched(
+                to.functions(triangle, geometry::Barycentric::Constant(1.0 / 3)));
+        }
+        if (triangle + 1 == to.nTriangles() || to.faceOf(triangle + 1) != to.faceOf(triangle))
+            assembler.endGroup();
+    };
+    intersect(to, from, options.gapLimit.relative * from.size(), quadratureDegree(from, options),
+              visitor);
+}
+
+/// Of the triangles that stand for the source's knot spans. It moves the lines
+/// where the source is less smooth, which costs no order.
+constexpr double facetTolerance = 1e-3;
+
+void integrateIntersection(const SurfaceInterface& from, const SurfaceInterface& to,
+                           const MortarOptions& options, MortarAssembler& assembler,
+                           GapStatistics& gaps) {
+    const int degree = std::max(quadratureDegree(from, options), quadratureDegree(to, options));
+    const SplineFacets facets = splineFacets(from, facetTolerance);
+    double covered = 0;
+    IntersectionVisitor visitor;
+    visitor.point = [&](const IntersectionPoint& at) {
+        covered += at.weight;
+        const int piece = facets.pieces[at.triangle];
+        const geometry::SurfaceProjection source = from.projector(piece).closest(at.position);
+        if (gaps.count(at.position, source.distance, source.converged, source.ambiguous, at.weight))
+            assembler.add(at.weight, at.onPatch, from.functions(piece, source.xi, source.eta),
+                          at.element);
+    };
+    visitor.endTriangle = [&](int, double) { assembler.endGroup(); };
+    intersect(facets.mesh, to, options.gapLimit.relative * from.size(), degree, visitor);
+    const double area = markPatches(to, degree, assembler);
+    if (covered < (1 - 1e-9) * area)
+        gaps.countUncovered(area - covered);
+}
+
+void refuseDualBasis(const MortarOptions& options) {
+    if (options.basis == MortarBasis::dual)
+        throw InputError("There is no dual basis for splines on patches: choose the standard "
+                         "mortar basis.");
+}
+
+} // namespace
+
+template <class From, class To, class Integrate>
+void MortarMapping::build(const From& from, const To& to, const MortarOptions& options,
+                          MortarAssembler assembler, Integrate integrate,
+                          const SparseMatrix& gradientTerm) {
+    const Stopwatch watch;
+    GapStatistics gaps(options.gapLimit, from.size());
+    integrate(assembler, gaps);
+    gaps.enter(report_);
+    finish(assembler, options, from, to, gradientTerm);
+    report_.seconds = watch.seconds();
+}
+
+MortarMapping::MortarMapping(const CurveInterface& from, const CurveInterface& to,
+                             const MortarOptions& options) {
+    build(
+        from, to, options, {to.nValues(), from.nValues(), options.basis},
+        [&](MortarAssembler& assembler, GapStatistics& gaps) {
+            integrateIntersection(from, to, options.gapLimit, options.nExtraPoints, assembler,
+                                  gaps);
+        },
+        options.singular == SingularMass::gradientTerm ? normalEnergy(to) : SparseMatrix());
+}
+
+MortarMapping::MortarMapping(const SurfaceMesh& from, const SurfaceMesh& to,
+                             const MortarOptions& options) {
+    build(from, to, options, {to.nValues(), from.nValues(), options.basis},
+          [&](MortarAssembler& assembler, GapStatistics& gaps) {
+              integrateIntersection(from, to, options.gapLimit, assembler, gaps);
+          });
+}
+
+MortarMapping::MortarMapping(const SurfaceMesh& from, const SurfaceInterface& to,
+                             const MortarOptions& options) {
+    refuseDualBasis(options);
+    build(from, to, options, {to.nValues(), from.nValues(), options.basis, to.nElements()},
+          [&](MortarAssembler& assembler, GapStatistics& gaps) {
+              integrateIntersection(from, to, options, assembler, gaps);
+          });
+}
+
+MortarMapping::MortarMapping(const SurfaceInterface& from, const SurfaceMesh& to,
+                             const MortarOptions& options) {
+    build(from, to, options, {to.nValues(), from.nValues(), options.basis},
+          [&](MortarAssembler& assembler, GapStatistics& gaps) {
+              integrateIntersection(from, to, options, assembler, gaps);
+          });
+}
+
+MortarMapping::MortarMapping(const SurfaceInterface& from, const SurfaceInterface& to,
+                             const MortarOptions& options) {
+    refuseDualBasis(options);
+    build(from, to, options, {to.nValues(), from.nValues(), options.basis, to.nElements()},
+          [&](MortarAssembler& assembler, GapStatistics& gaps) {
+              integrateIntersection(from, to, options, assembler, gaps);
+          });
+}
+
+void MortarMapping::finish(const MortarAssembler& assembler, const MortarOptions& options,
+                           const Discretisation& from, const Discretisation& to,
+                           const SparseMatrix& gradientTerm) {
+    report_.method = options.basis == MortarBasis::dual ? "mortar, dual basis" : "mortar";
+    mass_ = assembler.massMatrix();
+    cross_ = assembler.crossMatrix();
+    inverse_.emplace(mass_, options.singular, gradientTerm);
+    report_.nUncovered = assembler.nUncovered(mass_);
+    report_.nInverted = inverse_->nActive();
+    report_.rank = inverse_->rank();
+    report_.condition = inverse_->conditionOnRange();
+    if (inverse_->isSingular())
+        report_.regularisation =
+            options.singular == SingularMass::gradientTerm ? "gradient term" : "minimum norm";
+
+    // A singular mass matrix leaves values open, but not the field: errors are
+    // measured in the field, by test tractions.
+    const Eigen::VectorXd ones = Eigen::VectorXd::Ones(to.nValues());
+    const Eigen::VectorXd mapped = apply(Eigen::VectorXd::Ones(from.nValues()));
+    report_.rowSumError = (mass_ * (mapped - ones)).norm() / (mass_ * ones).norm();
+    const Points forces = mass_ * testForces(to.nValues());
+    measureConservation(*this, forces, from.coordinates(), to.coordinates(), report_);
+    report_.bytes = bytesOf(mass_) + bytesOf(cross_);
+}
+
+Eigen::MatrixXd MortarMapping::apply(const Eigen::MatrixXd& values) const {
+    return inverse_->solve(cross_ * values);
+}
+
+Eigen::MatrixXd MortarMapping::applyTransposed(const Eigen::MatrixXd& forces) const {
+    return cross_.transpose() * inverse_->solveTransposed(forces);
+}
+
+} // namespace tokay::mapper

@@ -1,0 +1,89 @@
+#pragma once
+
+#include "mapper/interface/CurveInterface.hpp"
+#include "mapper/GapStatistics.hpp"
+#include "mapper/Mapping.hpp"
+#include "mapper/mortar/MassInverse.hpp"
+#include "mapper/intersection/MortarAssembler.hpp"
+#include "mapper/interface/SurfaceInterface.hpp"
+#include "mapper/interface/SurfaceMesh.hpp"
+#include <optional>
+
+namespace tokay::mapper {
+
+struct MortarOptions {
+    MortarBasis basis = MortarBasis::standard;
+    /// The gradient term is there for edges of trimmed patches (curves).
+    SingularMass singular = SingularMass::refuse;
+    GapLimit gapLimit;
+    /// Gauss points an interval beyond those that integrate straight elements
+    /// exactly: for curved and rational ones.
+    int nExtraPoints = 2;
+    /// Degree of the quadrature on the pieces into which mesh faces and knot spans
+    /// of patches cut each other; 0: the sum of the patch's degrees.
+    int patchQuadratureDegree = 0;
+};
+
+/// L2 projection: M_DD phi_D = M_DO phi_O, integrated on the intersection of the
+/// two sides. Quadrature points beyond a gap limit that does not refuse are left
+/// out on both sides, so a partly covered destination still takes constants exactly.
+class MortarMapping : public Mapping {
+  public:
+    /// Between interfaces of curves: finite elements (lineMesh), splines, edges
+    /// of trimmed patches, in any combination.
+    /// @throws InputError for a gap beyond the limit
+    /// @throws SolverError for a singular M_DD that is not to be regularised
+    MortarMapping(const CurveInterface& from, const CurveInterface& to,
+                  const MortarOptions& options = {});
+
+    /// Between meshes of a surface, values at vertices or on faces on either side.
+    /// Parts of the destination that no source face projects onto are left out
+    /// and counted in the coverage.
+    MortarMapping(const SurfaceMesh& from, const SurfaceMesh& to,
+                  const MortarOptions& options = {});
+
+    /// From a mesh onto trimmed patches, integrated over the patches. Faces and
+    /// parts of patches without a partner are left out.
+    /// @throws InputError for the dual basis, which splines on patches do not have
+    MortarMapping(const SurfaceMesh& from, const SurfaceInterface& to,
+                  const MortarOptions& options = {});
+
+    /// From trimmed patches onto a mesh.
+    MortarMapping(const SurfaceInterface& from, const SurfaceMesh& to,
+                  const MortarOptions& options = {});
+
+    /// Between trimmed patches on either side, integrated over the destination. The
+    /// source's trimmed knot spans are cut into triangles whose chords leave them
+    /// by 1e-3 of a span; these are projected into the destination's parameters and
+    /// clipped there with its knot spans and loops. Each quadrature point lies on the
+    /// destination, and its partner is the closest point of the source's surface, so
+    /// fields that both sides hold are exact. What the chords cut off along a curved
+    /// rim, about 1e-3 of a span wide, is left out on both sides.
+    /// @throws InputError for the dual basis
+    MortarMapping(const SurfaceInterface& from, const SurfaceInterface& to,
+                  const MortarOptions& options = {});
+
+    Eigen::MatrixXd apply(const Eigen::MatrixXd& values) const override;
+    Eigen::MatrixXd applyTransposed(const Eigen::MatrixXd& forces) const override;
+
+    /// M_DD, nTo x nTo (diagonal for the dual basis).
+    const SparseMatrix& massMatrix() const { return mass_; }
+    /// M_DO, nTo x nFrom.
+    const SparseMatrix& crossMatrix() const { return cross_; }
+
+  private:
+    /// What all constructors do around their way to integrate.
+    /// @param integrate  (MortarAssembler&, GapStatistics&)
+    template <class From, class To, class Integrate>
+    void build(const From& from, const To& to, const MortarOptions& options,
+               MortarAssembler assembler, Integrate integrate,
+               const SparseMatrix& gradientTerm = {});
+    void finish(const MortarAssembler& assembler, const MortarOptions& options,
+                const Discretisation& from, const Discretisation& to,
+                const SparseMatrix& gradientTerm);
+
+    SparseMatrix mass_, cross_;
+    std::optional<MassInverse> inverse_;
+};
+
+} // namespace tokay::mapper

@@ -1,0 +1,182 @@
+#include "mapper/offset/OffsetMapping.hpp"
+
+#include "common/errors.hpp"
+#include "mapper/Stopwatch.hpp"
+#include "mapper/conservation.hpp"
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <fmt/format.h>
+
+namespace tokay::mapper {
+
+namespace {
+
+void checkPlane(const SplineInterface& axis) {
+    for (const SplinePiece& piece : axis.pieces()) {
+        const auto z = piece.curve.controlPoints().col(2);
+        if (z.maxCoeff() - z.minCoeff() > 1e-9 * axis.size())
+            throw InputError(fmt::format("The beam axis {} does not lie in a plane z = const: its "
+                                         "control points reach from z = {:.6g} to {:.6g}.",
+                                         piece.name, z.minCoeff(), z.maxCoeff()));
+    }
+}
+
+} // namespace
+
+OffsetMapping::OffsetMapping(const SplineInterface& axis, const Points& to,
+                             const GapLimit& gapLimit)
+    : isBeam_(true), controlPoints_(axis.coordinates()) {
+    const Stopwatch watch;
+    checkPoints(to);
+    checkPlane(axis);
+    report_.method = "offset points of a beam";
+    GapStatistics gaps(gapLimit, axis.size());
+    for (Eigen::Index i = 0; i < to.rows(); ++i) {
+        const Point point = to.row(i);
+        const CurveInterface::Projection found = axis.closest(point);
+        gaps.count(point, found.onCurve.distance, found.onCurve.converged, found.onCurve.ambiguous);
+        const SplinePiece& piece = axis.pieces()[found.piece];
+        const geometry::CurveBasis basis = piece.curve.basis(found.onCurve.xi, 1);
+        const auto first = piece.controlPoints.begin() + basis.first;
+        Eigen::MatrixXd N = Eigen::MatrixXd::Zero(3, basis.N.cols());
+        N.topRows(2) = basis.N;
+        attach(point, {first, first + basis.N.cols()}, std::move(N));
+    }
+    finish(gaps, to);
+    report_.seconds = watch.seconds();
+}
+
+OffsetMapping::OffsetMapping(const SurfaceInterface& middle, const Points& to,
+                             const GapLimit& gapLimit)
+    : isBeam_(false), controlPoints_(middle.coordinates()) {
+    const Stopwatch watch;
+    checkPoints(to);
+    report_.method = "offset points of a shell";
+    GapStatistics gaps(gapLimit, middle.size());
+    for (Eigen::Index i = 0; i < to.rows(); ++i) {
+        const Point point = to.row(i);
+        const SurfaceInterface::Projection found = middle.closest(point);
+        const geometry::SurfaceProjection& at = found.onSurface;
+        gaps.count(point, at.distance, at.converged, at.ambiguous);
+        const SurfacePiece& piece = middle.piece(found.piece);
+        geometry::SurfaceBasis basis = piece.patch.basis().basis(at.xi, at.eta, 1);
+        for (int& number : basis.controlPoints)
+            number = piece.controlPoints[number];
+        attach(point, std::move(basis.controlPoints), std::move(basis.N));
+    }
+    finish(gaps, to);
+    report_.seconds = watch.seconds();
+}
+
+void OffsetMapping::attach(const Point& point, std::vector<int> controlPoints, Eigen::MatrixXd N) {
+    Attachment attachment{std::move(controlPoints), std::move(N), 0, Eigen::Vector2d::Zero()};
+    const Frame frame = frameOf(attachment, controlPoints_);
+    if (!(frame.area > 0))
+        throw InputError(fmt::format("The point at ({:.6g}, {:.6g}, {:.6g}) projects onto a place "
+                                     "where the surface has no normal (a pole).",
+                                     point[0], point[1], point[2]));
+    const Point offset = point - frame.r;
+    attachment.zeta = offset.dot(frame.a3);
+    Eigen::Matrix<double, 3, 2> tangents;
+    tangents << frame.a1, frame.a2;
+    attachment.tangential =
+        (tangents.transpose() * tangents).inverse() * (tangents.transpose() * offset);
+    // Out of the beam's plane there is no motion to follow.
+    if (isBeam_)
+        attachment.tangential[1] = 0;
+    attachments_.push_back(std::move(attachment));
+}
+
+void OffsetMapping::finish(const GapStatistics& gaps, const Points& to) {
+    gaps.enter(report_);
+    Points translation(controlPoints_.rows(), 3);
+    translation.rowwise() = Eigen::RowVector3d(1, 1, 1);
+    report_.rowSumError = (apply(translation).array() - 1).abs().maxCoeff();
+    Points forces = testForces(to.rows());
+    if (isBeam_)
+        forces.col(2).setZero();
+    measureConservation(*this, forces, controlPoints_, to, report_);
+    for (const Attachment& attachment : attachments_)
+        report_.bytes += static_cast<double>(attachment.N.size()) * sizeof(double) +
+                         static_cast<double>(attachment.controlPoints.size()) * sizeof(int);
+}
+
+OffsetMapping::Frame OffsetMapping::frameOf(const Attachment& attachment,
+                                            const Points& controlPoints) const {
+    const Points d = attachment.N * controlPoints(attachment.controlPoints, Eigen::all);
+    Frame frame;
+    frame.r = d.row(0);
+    frame.a1 = d.row(1);
+    // A beam is a strip of unit depth: a1 x a2 then lies left of the axis.
+    frame.a2 = isBeam_ ? Point(-Point::UnitZ()) : Point(d.row(2));
+    frame.a3 = frame.a1.cross(frame.a2);
+    frame.area = frame.a3.norm();
+    frame.a3 /= frame.area;
+    return frame;
+}
+
+Points OffsetMapping::moved(const Points& displacements) const {
+    const Points current = controlPoints_ + displacements;
+    const auto position = [](const Attachment& attachment, const Frame& frame) -> Point {
+        return frame.r + attachment.zeta * frame.a3 + attachment.tangential[0] * frame.a1 +
+               attachment.tangential[1] * frame.a2;
+    };
+    Points result(attachments_.size(), 3);
+    for (std::size_t i = 0; i < attachments_.size(); ++i)
+        result.row(i) = position(attachments_[i], frameOf(attachments_[i], current)) -
+                        position(attachments_[i], frameOf(attachments_[i], controlPoints_));
+    return result;
+}
+
+Points OffsetMapping::variation(const Points& displacements, const Points& variation) const {
+    const Points current = controlPoints_ + displacements;
+    Points result(attachments_.size(), 3);
+    for (std::size_t i = 0; i < attachments_.size(); ++i) {
+        const Attachment& attachment = attachments_[i];
+        const Frame frame = frameOf(attachment, current);
+        const Points d = attachment.N * variation(attachment.controlPoints, Eigen::all);
+        const Point da1 = d.row(1), da2 = d.row(2);
+        const Point turned = da1.cross(frame.a2) + frame.a1.cross(da2);
+        const Point da3 = (turned - frame.a3 * frame.a3.dot(turned)) / frame.area;
+        result.row(i) = d.row(0).transpose() + attachment.zeta * da3 +
+                        attachment.tangential[0] * da1 + attachment.tangential[1] * da2;
+    }
+    return result;
+}
+
+Points OffsetMapping::forces(const Points& displacements, const Points& forces) const {
+    const Points current = controlPoints_ + displacements;
+    Points result = Points::Zero(controlPoints_.rows(), 3);
+    for (std::size_t i = 0; i < attachments_.size(); ++i) {
+        const Attachment& attachment = attachments_[i];
+        const Frame frame = frameOf(attachment, current);
+        const Point f = forces.row(i);
+        const Point g = attachment.zeta / frame.area * (f - frame.a3 * frame.a3.dot(f));
+        // Work-conjugate to r, a1 and a2.
+        Eigen::Matrix3d conjugate;
+        conjugate.row(0) = f;
+        conjugate.row(1) = frame.a2.cross(g) + attachment.tangential[0] * f;
+        conjugate.row(2) = g.cross(frame.a1) + attachment.tangential[1] * f;
+        const Points local = attachment.N.transpose() * conjugate;
+        for (std::size_t j = 0; j < attachment.controlPoints.size(); ++j)
+            result.row(attachment.controlPoints[j]) += local.row(j);
+    }
+    return result;
+}
+
+Eigen::VectorXd OffsetMapping::offsets() const {
+    Eigen::VectorXd offsets(attachments_.size());
+    for (std::size_t i = 0; i < attachments_.size(); ++i)
+        offsets[i] = attachments_[i].zeta;
+    return offsets;
+}
+
+Eigen::MatrixXd OffsetMapping::apply(const Eigen::MatrixXd& values) const {
+    return variation(Points::Zero(controlPoints_.rows(), 3), values);
+}
+
+Eigen::MatrixXd OffsetMapping::applyTransposed(const Eigen::MatrixXd& forces) const {
+    return this->forces(Points::Zero(controlPoints_.rows(), 3), forces);
+}
+
+} // namespace tokay::mapper

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "mapper/GapStatistics.hpp"
+#include "mapper/Mapping.hpp"
+#include "mapper/interface/SplineInterface.hpp"
+#include "mapper/interface/SurfaceInterface.hpp"
+
+namespace tokay::mapper {
+
+/// Motion of points at a distance from a beam's axis or a shell's middle surface,
+///   x = r + zeta a3 + c^alpha a_alpha,
+/// with the current normal a3: points turn with their section, so the map is not
+/// linear, and the load transfer is the transpose of its derivative at the current
+/// state. Moments arrive as couples of control point forces; virtual work, sum and
+/// moment of the forces are kept exactly. The tangential part c is zero but for
+/// points beyond an end or an edge (the end face of a beam).
+///
+/// As a Mapping it is its derivative in the reference configuration; values have
+/// three components.
+class OffsetMapping : public Mapping {
+  public:
+    /// Points around a beam in a plane z = const; positive zeta lies left of xi.
+    /// @param gapLimit  of the offsets, relative to the interface's size
+    /// @throws InputError for a point beyond the limit or not finite
+    OffsetMapping(const SplineInterface& axis, const Points& to,
+                  const GapLimit& gapLimit = {0.1, true});
+
+    /// Points around a shell; positive zeta lies on the side of a1 x a2.
+    OffsetMapping(const SurfaceInterface& middle, const Points& to,
+                  const GapLimit& gapLimit = {0.1, true});
+
+    /// Displacements of the points, however large.
+    /// @param displacements  of the control points, nFrom x 3 [m]
+    Points moved(const Points& displacements) const;
+
+    /// Derivative of moved() at a state along a variation, both nFrom x 3.
+    Points variation(const Points& displacements, const Points& variation) const;
+
+    /// The transpose of variation(): forces on the control points.
+    /// @param forces  on the points, nTo x 3 [N]
+    Points forces(const Points& displacements, const Points& forces) const;
+
+    /// Distance of each point along the normal, with sign [m].
+    Eigen::VectorXd offsets() const;
+
+    Eigen::MatrixXd apply(const Eigen::MatrixXd& values) const override;
+    Eigen::MatrixXd applyTransposed(const Eigen::MatrixXd& forces) const override;
+
+  private:
+    /// A point and the functions at its projection.
+    struct Attachment {
+        std::vector<int> controlPoints;
+        /// Rows: functions, derivatives by xi and by eta (zero for a beam).
+        Eigen::MatrixXd N;
+        double zeta;
+        Eigen::Vector2d tangential;
+    };
+    /// Base vectors at a projection.
+    struct Frame {
+        Point r, a1, a2, a3;
+        double area;
+    };
+
+    Frame frameOf(const Attachment& attachment, const Points& controlPoints) const;
+    void attach(const Point& point, std::vector<int> controlPoints, Eigen::MatrixXd N);
+    void finish(const GapStatistics& gaps, const Points& to);
+
+    bool isBeam_;
+    Points controlPoints_;
+    std::vector<Attachment> attachments_;
+};
+
+} // namespace tokay::mapper

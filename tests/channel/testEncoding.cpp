@@ -1,0 +1,233 @@
+#include "channel/PeerError.hpp"
+#include "channel/encoding.hpp"
+#include "exampleMessages.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <sys/resource.h>
+
+namespace tokay::coupling {
+namespace {
+
+Message decodeFrame(const Bytes& frame) {
+    std::array<std::uint8_t, FrameHeader::size> head;
+    if (frame.size() < head.size()) {
+        throw PeerError("the frame ends in its header");
+    }
+    std::copy_n(frame.begin(), head.size(), head.begin());
+    const FrameHeader header = decodeHeader(head);
+    const Bytes payload(frame.begin() + FrameHeader::size, frame.end());
+    if (payload.size() != header.payloadLength) {
+        throw PeerError("the payload has another length than announced");
+    }
+    return decodePayload(header, payload);
+}
+
+/// Sets the payload length that the header announces.
+void setLength(Bytes& frame, std::uint32_t length) {
+    for (std::size_t i = 0; i < 4; ++i) {
+        frame[12 + i] = static_cast<std::uint8_t>(length >> (8 * i));
+    }
+}
+
+std::string errorOf(const Bytes& frame) {
+    try {
+        decodeFrame(frame);
+    } catch (const PeerError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+long peakMemoryInKilobytes() {
+    rusage usage;
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss;
+}
+
+template <class M>
+M roundTrip(const M& message) {
+    return std::get<M>(decodeFrame(encodeFrame(message)));
+}
+
+template <class M>
+M example() {
+    for (const Message& message : exampleMessages()) {
+        if (const M* found = std::get_if<M>(&message)) {
+            return *found;
+        }
+    }
+    throw std::logic_error("no example of this type");
+}
+
+TEST(Encoding, helloSurvivesTheRoundTrip) {
+    const Hello result = roundTrip(example<Hello>());
+    EXPECT_EQ(result.protocol, protocolVersion);
+    EXPECT_EQ(result.role, Role::structure);
+    EXPECT_EQ(result.program, "igaStructure 0.1");
+    EXPECT_EQ(result.token, "secret");
+    EXPECT_EQ(result.caseDigest, "a3f8");
+}
+
+TEST(Encoding, interfaceSurvivesTheRoundTrip) {
+    const Interface sent = exampleInterface();
+    const Interface result = roundTrip(sent);
+    EXPECT_EQ(result.dimension, sent.dimension);
+    EXPECT_EQ(result.name, sent.name);
+    EXPECT_EQ(result.points, sent.points);
+    EXPECT_EQ(result.faceOffsets, sent.faceOffsets);
+    EXPECT_EQ(result.facePoints, sent.facePoints);
+    EXPECT_EQ(result.displacements, sent.displacements);
+    EXPECT_EQ(result.tolerance, sent.tolerance);
+    EXPECT_EQ(result.startTime, sent.startTime);
+    EXPECT_EQ(result.endTime, sent.endTime);
+    EXPECT_EQ(result.deltaT, sent.deltaT);
+    EXPECT_EQ(result.retries, sent.retries);
+}
+
+TEST(Encoding, messagesOfAStepSurviveTheRoundTrip) {
+    const BeginStep begin = roundTrip(example<BeginStep>());
+    EXPECT_EQ(begin.step, 12u);
+    EXPECT_EQ(begin.time, 0.75);
+    EXPECT_EQ(begin.deltaT, 1e-3);
+    const Forces forces = roundTrip(example<Forces>());
+    EXPECT_TRUE(forces.final);
+    EXPECT_TRUE(forces.write);
+    EXPECT_EQ(forces.fluidResidual, 3e-5);
+    EXPECT_EQ(forces.values, example<Forces>().values);
+    const Displacements displacements = roundTrip(example<Displacements>());
+    EXPECT_EQ(displacements.state, State::rejected);
+    EXPECT_EQ(displacements.reason, "no equilibrium");
+    EXPECT_EQ(displacements.residual, 2e-5);
+    EXPECT_EQ(displacements.values, (std::vector<double>{0.1, 0.2}));
+}
+
+TEST(Encoding, textsSurviveTheRoundTrip) {
+    EXPECT_EQ(roundTrip(example<Accepted>()).report, example<Accepted>().report);
+    EXPECT_EQ(roundTrip(example<Goodbye>()).reason, example<Goodbye>().reason);
+    EXPECT_EQ(roundTrip(example<Failure>()).text, example<Failure>().text);
+}
+
+TEST(Encoding, isLittleEndianOnEveryMachine) {
+    const Bytes expected = {'T',  'o',  'k',  'a',  2,  0, 0,    0,
+                            3,    0,    0,    0,    20, 0, 0,    0,     // header
+                            0x04, 0x03, 0x02, 0x01,                     // step
+                            0,    0,    0,    0,    0,  0, 0xf0, 0x3f,  // time 1
+                            0,    0,    0,    0,    0,  0, 0,    0xc0}; // deltaT -2
+    EXPECT_EQ(encodeFrame(BeginStep{0x01020304, 1, -2}), expected);
+}
+
+TEST(Encoding, everyTruncationOfEveryMessageIsRefused) {
+    for (const Message& message : exampleMessages()) {
+        const Bytes frame = encodeFrame(message);
+        for (std::size_t length = FrameHeader::size; length < frame.size(); ++length) {
+            Bytes truncated(frame.begin(), frame.begin() + static_cast<std::ptrdiff_t>(length));
+            setLength(truncated, static_cast<std::uint32_t>(length - FrameHeader::size));
+            EXPECT_NE(errorOf(truncated).find(typeName(message.index())), std::string::npos)
+                << typeName(message.index()) << " cut to " << length << " bytes";
+        }
+    }
+}
+
+TEST(Encoding, trailingBytesAreRefused) {
+    for (const Message& message : exampleMessages()) {
+        Bytes frame = encodeFrame(message);
+        frame.push_back(0);
+        setLength(frame, static_cast<std::uint32_t>(frame.size() - FrameHeader::size));
+        EXPECT_NE(errorOf(frame).find("1 bytes follow its end"), std::string::npos);
+    }
+}
+
+TEST(Encoding, whateverIsAcceptedAfterAFlippedBitEncodesToTheSameBytes) {
+    // So no two byte strings mean the same, and nothing is read half.
+    int nRefused = 0;
+    for (const Message& message : exampleMessages()) {
+        const Bytes frame = encodeFrame(message);
+        for (std::size_t bit = 0; bit < 8 * frame.size(); ++bit) {
+            Bytes flipped = frame;
+            flipped[bit / 8] ^= static_cast<std::uint8_t>(1u << (bit % 8));
+            try {
+                EXPECT_EQ(encodeFrame(decodeFrame(flipped)), flipped);
+            } catch (const PeerError&) {
+                ++nRefused;
+            }
+        }
+    }
+    EXPECT_GT(nRefused, 8 * 8 * 12); // at least every bit of every header but the types'
+}
+
+TEST(Encoding, randomBytesBehindAValidHeaderNeverDoHarm) {
+    std::mt19937 random(20240611);
+    const long before = peakMemoryInKilobytes();
+    for (int i = 0; i < 20000; ++i) {
+        FrameHeader header;
+        header.type = random() % std::variant_size_v<Message>;
+        Bytes payload(random() % 64);
+        // Many small and many huge lengths: bytes are mostly 0 or 255.
+        std::generate(payload.begin(), payload.end(), [&random] {
+            const auto value = random();
+            return static_cast<std::uint8_t>(value % 3 == 0   ? value >> 8
+                                             : value % 3 == 1 ? 0
+                                                              : 255);
+        });
+        header.payloadLength = static_cast<std::uint32_t>(payload.size());
+        try {
+            decodePayload(header, payload);
+        } catch (const PeerError&) {
+        }
+    }
+    // The smallest false array (16 million doubles) would take twice as much.
+    EXPECT_LT(peakMemoryInKilobytes() - before, 64 * 1024);
+}
+
+TEST(Encoding, otherMagicIsRefusedAsAnotherProgram) {
+    Bytes frame = encodeFrame(Goodbye{"end"});
+    const std::string http = "GET / HTTP/1.1\r\n";
+    std::copy(http.begin(), http.end(), frame.begin());
+    EXPECT_NE(errorOf(frame).find("not a message of Tokay"), std::string::npos);
+}
+
+TEST(Encoding, otherProtocolVersionIsRefusedNamingBoth) {
+    Bytes frame = encodeFrame(Goodbye{"end"});
+    frame[4] = 7;
+    const std::string error = errorOf(frame);
+    EXPECT_NE(error.find("version 7"), std::string::npos) << error;
+    EXPECT_NE(error.find("version 2"), std::string::npos) << error;
+}
+
+TEST(Encoding, unknownTypeIsRefused) {
+    Bytes frame = encodeFrame(Goodbye{"end"});
+    frame[8] = 99;
+    EXPECT_NE(errorOf(frame).find("unknown type 99"), std::string::npos);
+}
+
+TEST(Encoding, oversizeLengthIsRefusedByTheHeaderAlone) {
+    Bytes frame = encodeFrame(Goodbye{"end"});
+    setLength(frame, largestPayload + 1);
+    EXPECT_NE(errorOf(frame).find("more than the limit"), std::string::npos);
+}
+
+TEST(Encoding, interfaceWithArraysThatDoNotFitIsRefused) {
+    const auto errorAfter = [](auto change) {
+        Interface interface = exampleInterface();
+        change(interface);
+        return errorOf(encodeFrame(interface));
+    };
+    EXPECT_NE(errorAfter([](Interface& i) { i.dimension = 4; }).find("dimension is 4"),
+              std::string::npos);
+    EXPECT_NE(errorAfter([](Interface& i) { i.points.pop_back(); }).find("whole points"),
+              std::string::npos);
+    EXPECT_NE(errorAfter([](Interface& i) { i.displacements.clear(); }).find("one displacement"),
+              std::string::npos);
+    EXPECT_NE(errorAfter([](Interface& i) { i.facePoints[4] = 4; }).find("point 4 of 4"),
+              std::string::npos);
+    EXPECT_NE(errorAfter([](Interface& i) { i.faceOffsets[1] = 7; }).find("faces"),
+              std::string::npos);
+    EXPECT_NE(errorAfter([](Interface& i) { i.faceOffsets.clear(); }).find("faces"),
+              std::string::npos);
+}
+
+} // namespace
+} // namespace tokay::coupling

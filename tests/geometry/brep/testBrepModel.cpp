@@ -1,0 +1,96 @@
+#include "geometry/brep/BrepModel.hpp"
+
+#include "expectInputError.hpp"
+#include "geometry/primitives/primitives.hpp"
+#include "sampleModels.hpp"
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace tokay::geometry {
+
+namespace {
+
+int countShared(const BrepModel& model) {
+    int n = 0;
+    for (const BrepEdge& edge : model.edges())
+        n += edge.trims.size() == 2;
+    return n;
+}
+
+} // namespace
+
+TEST(BrepModel, findsTheEdgesThatFacesShare) {
+    const BrepModel model = twoSquares();
+    ASSERT_EQ(countShared(model), 1);
+    EXPECT_EQ(model.edges().size(), 3u + 1 + 1 + 3); // free, hole, shared, free
+    const BrepEdge& shared = model.edges()[model.edgeNumber("left.1-right.3")];
+    EXPECT_FALSE(shared.trims[1].isForward) << "both loops run counter-clockwise";
+    for (const double t : {0.0, 0.3, 1.0})
+        EXPECT_LT((model.curveInSpace(shared.trims[0]).derivatives(t, 0) -
+                   model.curveInSpace(shared.trims[1]).derivatives(1 - t, 0))
+                      .norm(),
+                  1e-15);
+    EXPECT_EQ(countShared(halfCylinders()), 2);
+}
+
+TEST(BrepModel, seamAndPolesOfASphereAreOneEdge) {
+    const std::vector<BrepFace> faces = {{TrimmedPatch(sphere(Point::Zero(), 1), "ball")}};
+    const std::vector<BrepEdge> edges = coincidentEdges(faces, 1e-9);
+    ASSERT_EQ(edges.size(), 1u);
+    EXPECT_EQ(edges[0].trims.size(), 2u);
+}
+
+TEST(BrepModel, gapsAreMeasuredAndLimited) {
+    for (const EdgeGap& gap : twoSquares().gaps())
+        EXPECT_LT(gap.distance, 1e-15);
+    const BrepModel model = twoSquares(1e-3);
+    const std::vector<EdgeGap> gaps = model.gaps();
+    ASSERT_EQ(gaps.size(), 1u);
+    EXPECT_NEAR(gaps[0].distance, 1e-3, 1e-15);
+    EXPECT_NEAR(gaps[0].place[0], 1, 1e-15);
+    EXPECT_NO_THROW(model.requireGapsBelow(2e-3));
+    expectInputError([&] { model.requireGapsBelow(1e-4); },
+                     {"left.1-right.3", "0.001", "at (1, 0, 0)", "0.0001"});
+}
+
+TEST(BrepModel, gapsOfCurvedEdgesAreMeasuredBetweenTheirSamplesToo) {
+    // An arc against its chord: the sagitta in the middle.
+    const double pi = std::acos(-1.0);
+    const TrimmedPatch straight(plate(Point(1, 0, 0), Point(-2, 0, 0), Point(0, -1, 0)), "plate");
+    const TrimmedPatch round(ringSector(Point(0, -2, 0), std::sqrt(5.0), 3, std::atan2(2.0, 1.0),
+                                        pi - std::atan2(2.0, 1.0)),
+                             "ring");
+    const BrepModel model({{straight}, {round}}, {{"joint", {{0, 0}, {1, 3}}}});
+    ASSERT_EQ(model.gaps().size(), 1u);
+    EXPECT_NEAR(model.gaps()[0].distance, std::sqrt(5.0) - 2, 1e-14);
+    EXPECT_NEAR(model.gaps()[0].place[0], 0, 1e-12);
+}
+
+TEST(BrepModel, namesAreFoundAndListed) {
+    const BrepModel model = twoSquares();
+    EXPECT_EQ(model.faceNumber("right"), 1);
+    expectInputError([&] { model.faceNumber("wrong"); }, {"face \"wrong\"", "left, right"});
+    expectInputError([&] { model.edgeNumber("left.7"); }, {"left.7", "left.1-right.3"});
+}
+
+TEST(BrepModel, refusesContradictions) {
+    const BrepFace face{TrimmedPatch(rectangle(Point::Zero(), 1, 1), "a")};
+    expectInputError([] { BrepModel({}); }, {"no face"});
+    expectInputError([&] { BrepModel({face, face}); }, {"Two faces", "\"a\""});
+    expectInputError([&] { BrepModel({face}, {{"e", {{1, 0}}}}); }, {"Edge \"e\"", "face 1"});
+    expectInputError([&] { BrepModel({face}, {{"e", {{0, 4}}}}); }, {"curve 4", "4"});
+    expectInputError(
+        [&] {
+            BrepModel({face}, {{"e", {{0, 0}}}, {"e", {{0, 1}}}});
+        },
+        {"Two edges", "\"e\""});
+}
+
+TEST(BrepModel, refinementChangesTheBasisOfEveryFaceOnly) {
+    const BrepModel fine = twoSquares().refined(2, 2, 4, 4);
+    EXPECT_EQ(fine.patch(0).nElements(), 16);
+    EXPECT_EQ(fine.patch(1).basis().u().degree(), 2);
+    EXPECT_LT(fine.gaps()[0].distance, 1e-15);
+}
+
+} // namespace tokay::geometry

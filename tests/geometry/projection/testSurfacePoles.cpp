@@ -1,0 +1,34 @@
+#include "geometry/projection/surfacePoles.hpp"
+
+#include "geometry/primitives/primitives.hpp"
+#include "sampleGeometry.hpp"
+#include <gtest/gtest.h>
+
+namespace tokay::geometry {
+
+TEST(SurfacePoles, aSphereHasTwoWithTheAxisAsNormal) {
+    const std::vector<Pole> poles = surfacePoles(sphere(Point(1, 2, 3), 2));
+    ASSERT_EQ(poles.size(), 2);
+    EXPECT_EQ(poles[0].edge, Edge::bottom);
+    EXPECT_LT((poles[0].place - Point(1, 2, 1)).norm(), 1e-14);
+    EXPECT_EQ(poles[1].edge, Edge::top);
+    EXPECT_LT((poles[1].place - Point(1, 2, 5)).norm(), 1e-14);
+    for (const Pole& pole : poles)
+        EXPECT_NEAR(std::abs(pole.normal[2]), 1, 1e-14);
+}
+
+TEST(SurfacePoles, aConesTipHasNoNormal) {
+    Points points(6, 3);
+    points << 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 0, 0, 1;
+    const NurbsSurface cone(KnotVector::uniform(2, 1), KnotVector::uniform(1, 1), points);
+    const std::vector<Pole> poles = surfacePoles(cone);
+    ASSERT_EQ(poles.size(), 1);
+    EXPECT_EQ(poles[0].edge, Edge::top);
+    EXPECT_EQ(poles[0].normal.norm(), 0);
+}
+
+TEST(SurfacePoles, mostSurfacesHaveNone) {
+    EXPECT_TRUE(surfacePoles(sampleSurface()).empty());
+}
+
+} // namespace tokay::geometry

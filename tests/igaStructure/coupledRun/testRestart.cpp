@@ -1,0 +1,386 @@
+#include "ScriptedFluid.hpp"
+#include "common/errors.hpp"
+#include "exampleCase.hpp"
+#include "igaStructure/output/pvd.hpp"
+#include "igaStructure/coupledRun/SavedState.hpp"
+#include "igaStructure/coupledRun/StateFolder.hpp"
+#include "igaStructure/coupledRun/interfaceRenumbering.hpp"
+#include "temporaryDirectory.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace tokay;
+using namespace tokay::structure;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+namespace {
+
+SavedState exampleState(double time) {
+    SavedState state;
+    state.digest = "a3f8";
+    state.motion.time = time;
+    state.motion.displacement = Eigen::VectorXd::LinSpaced(4, 0.1, 1.0 / 3);
+    state.motion.velocity = -state.motion.displacement;
+    state.motion.acceleration = 1e-300 * state.motion.displacement;
+    state.motion.force = 1e30 * state.motion.displacement;
+    state.energies = {1, 2, 3, 4};
+    state.interface = Eigen::VectorXd::LinSpaced(9, -1, 0.3).reshaped(3, 3);
+    state.interfaceDisplacement = Eigen::VectorXd::LinSpaced(6, 1e-3, 1);
+    state.coupling = {7, 0, 255};
+    return state;
+}
+
+void expectEqual(const SavedState& a, const SavedState& b) {
+    EXPECT_EQ(a.digest, b.digest);
+    EXPECT_EQ(a.motion.time, b.motion.time);
+    EXPECT_EQ(a.motion.displacement, b.motion.displacement);
+    EXPECT_EQ(a.motion.velocity, b.motion.velocity);
+    EXPECT_EQ(a.motion.acceleration, b.motion.acceleration);
+    EXPECT_EQ(a.motion.force, b.motion.force);
+    EXPECT_EQ(a.energies.kinetic, b.energies.kinetic);
+    EXPECT_EQ(a.energies.strain, b.energies.strain);
+    EXPECT_EQ(a.energies.externalWork, b.energies.externalWork);
+    EXPECT_EQ(a.energies.dampingWork, b.energies.dampingWork);
+    EXPECT_EQ(a.interface, b.interface);
+    EXPECT_EQ(a.interfaceDisplacement, b.interfaceDisplacement);
+    EXPECT_EQ(a.coupling, b.coupling);
+}
+
+std::string errorOf(const std::vector<std::uint8_t>& bytes) {
+    try {
+        decodeState(bytes, "case_1.state");
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+} // namespace
+
+TEST(SavedState, comes_back_bit_by_bit) {
+    expectEqual(decodeState(encodeState(exampleState(0.1)), ""), exampleState(0.1));
+}
+
+TEST(SavedState, that_is_cut_off_anywhere_is_refused_with_its_name) {
+    const std::vector<std::uint8_t> whole = encodeState(exampleState(0.1));
+    for (std::size_t size = 0; size < whole.size(); ++size) {
+        EXPECT_THAT(errorOf({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)}),
+                    HasSubstr("'case_1.state' is not a state of a structure"))
+            << size;
+    }
+}
+
+TEST(SavedState, of_another_version_is_refused) {
+    std::vector<std::uint8_t> bytes = encodeState(exampleState(0.1));
+    bytes[14] = 9; // after the length and the ten letters of the magic
+    EXPECT_THAT(errorOf(bytes), HasSubstr("its version is 9, this program reads version 2"));
+}
+
+TEST(StateFolder, finds_the_nearest_state_within_the_tolerance) {
+    const TemporaryDirectory directory;
+    const StateFolder folder(directory.file("states"), "flap");
+    EXPECT_TRUE(folder.times().empty());
+    folder.add(exampleState(1.0 / 3));
+    folder.add(exampleState(0.1));
+    StateFolder(directory.file("states"), "flap_2").add(exampleState(0.2)); // another case
+    directory.write("states/flap_0.3.state.part", "");
+    EXPECT_THAT(folder.times(), ElementsAre(0.1, testing::DoubleNear(1.0 / 3, 1e-12)));
+    expectEqual(folder.find(0.333333, 1e-5).value(), exampleState(1.0 / 3));
+    EXPECT_FALSE(folder.find(0.333333, 1e-7).has_value());
+}
+
+TEST(InterfaceRenumbering, finds_each_point_again) {
+    const geometry::Points before = geometry::Points::Random(50, 3);
+    std::vector<int> numbers(50);
+    for (int k = 0; k < 50; ++k) {
+        numbers[static_cast<std::size_t>(k)] = (7 * k + 3) % 50;
+    }
+    const geometry::Points now = before(numbers, Eigen::all);
+    EXPECT_EQ(interfaceRenumbering(before, now).value(), numbers);
+    EXPECT_THAT(componentNumbers({2, 0}, 3), ElementsAre(6, 7, 8, 0, 1, 2));
+}
+
+TEST(InterfaceRenumbering, keeps_points_that_coincide_if_all_stay_where_they_were) {
+    geometry::Points points = geometry::Points::Random(4, 3);
+    points.row(3) = points.row(0);
+    EXPECT_THAT(interfaceRenumbering(points, points).value(), ElementsAre(0, 1, 2, 3));
+    const geometry::Points turned = points.colwise().reverse();
+    EXPECT_FALSE(interfaceRenumbering(points, turned).has_value());
+}
+
+TEST(InterfaceRenumbering, does_not_take_another_mesh_for_the_same) {
+    const geometry::Points before = geometry::Points::Random(4, 3);
+    geometry::Points now = before.colwise().reverse();
+    now(2, 1) += 1e-3;
+    EXPECT_FALSE(interfaceRenumbering(before, now).has_value());
+    EXPECT_FALSE(interfaceRenumbering(before, before.topRows(3)).has_value());
+}
+
+TEST(Pvd, comes_back_as_written) {
+    const TemporaryDirectory directory;
+    writePvd(directory.file("a.pvd"), {{0, "a_0.vtu"}, {0.1, "a_1.vtu"}});
+    const std::vector<PvdEntry> entries = readPvd(directory.file("a.pvd"));
+    ASSERT_EQ(entries.size(), 2u);
+    EXPECT_EQ(entries[1].time, 0.1);
+    EXPECT_EQ(entries[1].file, "a_1.vtu");
+    EXPECT_TRUE(readPvd(directory.file("none.pvd")).empty());
+}
+
+namespace {
+
+std::string caseText() {
+    return exampleText("loads:\n  - {edge: left, traction: [\"100*y\", 0]}\n", "") +
+           "coupling:\n  interface: [left, top, right]\n  predictor: quadratic\n";
+}
+
+std::string nonlinearCaseText() {
+    std::string text = caseText();
+    return text.replace(text.find("strains: linear"), 15, "strains: nonlinear");
+}
+
+std::vector<double> forcesOf(const coupling::Interface& fluid, std::uint32_t step) {
+    return forceOnLeft(fluid, 100 * std::sin(0.5 * step));
+}
+
+// Answers of the structure to steps of 0.01 s; every third is written.
+std::vector<std::vector<double>> runSteps(ScriptedFluid& script, const coupling::Interface& fluid,
+                                          std::uint32_t first, std::uint32_t last) {
+    std::vector<std::vector<double>> answers;
+    for (std::uint32_t step = first; step <= last; ++step) {
+        answers.push_back(script.begin(step, 0.01 * step, 0.01).values);
+        answers.push_back(script.exchange(forcesOf(fluid, step)).values);
+        answers.push_back(script.exchange(forcesOf(fluid, step)).values);
+        script.exchange(forcesOf(fluid, step), true, step % 3 == 0);
+    }
+    return answers;
+}
+
+// Six steps of a run that is then killed, and what a restarted one answers.
+class RestartedRun : public testing::Test {
+  protected:
+    explicit RestartedRun(const std::string& text = caseText())
+        : caseFile(directory.write("case.yaml", text)) {
+        fluid.deltaT = 0.01;
+        fluid.tolerance = 1e-9;
+        ScriptedFluid script(caseFile);
+        script.start(fluid);
+        runSteps(script, fluid, 1, 6);
+        expected = runSteps(script, fluid, 7, 9);
+        script.vanish();
+        fluid.startTime = 0.06;
+    }
+
+    // The interface as the fluid's files have it at the start.
+    void displace() {
+        const StateFolder folder(directory.file("results/states"), "case");
+        const Eigen::VectorXd x = folder.find(fluid.startTime, 1e-9)->interfaceDisplacement;
+        fluid.displacements.assign(x.begin(), x.end());
+    }
+
+    // What a run from the saved state answers.
+    std::vector<std::vector<double>> restart() {
+        displace();
+        ScriptedFluid script(caseFile);
+        script.start(fluid);
+        std::vector<std::vector<double>> answers = runSteps(script, fluid, 7, 9);
+        script.sayGoodbye();
+        EXPECT_EQ(script.outcome(), "");
+        EXPECT_THAT(script.log(), HasSubstr("goes on from the saved state of 0.06 s"));
+        return answers;
+    }
+
+    std::string refusal() {
+        ScriptedFluid script(caseFile);
+        script.channel().send(fluid);
+        const std::string text = script.failureText();
+        script.outcome();
+        return text;
+    }
+
+    TemporaryDirectory directory;
+    std::string caseFile;
+    coupling::Interface fluid = flapInterface(20);
+    std::vector<std::vector<double>> expected;
+};
+
+} // namespace
+
+TEST_F(RestartedRun, answers_bit_by_bit_what_the_uninterrupted_one_does) {
+    EXPECT_EQ(restart(), expected);
+    std::vector<double> times;
+    for (const PvdEntry& entry : readPvd(directory.file("results/case.pvd"))) {
+        times.push_back(entry.time);
+    }
+    EXPECT_THAT(times, ElementsAre(0, 0.03, 0.06, 0.09));
+}
+
+namespace {
+
+// Newton's method keeps tangents over time steps, but not over a saved state.
+class NonlinearRestart : public RestartedRun {
+  protected:
+    explicit NonlinearRestart(const std::string& acceleration = "iqnIls")
+        : RestartedRun(nonlinearCaseText() + "  acceleration: {type: " + acceleration + "}\n") {}
+};
+
+class NonlinearRestartWithSubsteps : public RestartedRun {
+  protected:
+    static std::string text() {
+        std::string text = nonlinearCaseText();
+        return text.replace(text.find("time:\n"), 6, "time:\n  substeps: 3\n");
+    }
+    NonlinearRestartWithSubsteps() : RestartedRun(text()) {}
+};
+
+class NonlinearRestartWithBlocks : public NonlinearRestart {
+  protected:
+    NonlinearRestartWithBlocks() : NonlinearRestart("block") {}
+};
+
+} // namespace
+
+TEST_F(NonlinearRestart, answers_bit_by_bit_what_the_uninterrupted_one_does) {
+    EXPECT_EQ(restart(), expected);
+}
+
+TEST_F(NonlinearRestartWithSubsteps, answers_bit_by_bit_what_the_uninterrupted_one_does) {
+    EXPECT_EQ(restart(), expected);
+}
+
+TEST_F(NonlinearRestartWithBlocks, answers_bit_by_bit_what_the_uninterrupted_one_does) {
+    EXPECT_EQ(restart(), expected);
+}
+
+TEST_F(RestartedRun, starts_at_rest_under_an_undeformed_fluid) {
+    ScriptedFluid script(caseFile);
+    script.start(fluid);
+    EXPECT_THAT(script.begin(1, 0.07, 0.01).values, testing::Each(0));
+    script.exchange(forcesOf(fluid, 1), true);
+    script.sayGoodbye();
+    EXPECT_EQ(script.outcome(), "");
+    EXPECT_THAT(script.log(), Not(HasSubstr("goes on")));
+}
+
+TEST_F(RestartedRun, carries_on_without_acceleration_history_on_another_mesh) {
+    displace();
+    const std::vector<double> tip(fluid.displacements.begin() + 40,
+                                  fluid.displacements.begin() + 42);
+    fluid = flapInterface(10);
+    fluid.deltaT = 0.01;
+    fluid.startTime = 0.06;
+    fluid.displacements.assign(fluid.points.size(), 1e-3); // whatever: it cannot be compared
+    ScriptedFluid script(caseFile);
+    script.start(fluid);
+    const std::vector<double> predicted = script.begin(1, 0.07, 0.01).values;
+    // The fluid's x and the structure's own answer differ by the residual, below 1e-9 of it
+    EXPECT_NEAR(predicted[20], tip[0], 1e-8 * std::abs(tip[0]));
+    script.exchange(forcesOf(fluid, 1), true);
+    script.sayGoodbye();
+    EXPECT_EQ(script.outcome(), "");
+    EXPECT_THAT(script.log(), HasSubstr("predictor and acceleration begin anew"));
+}
+
+TEST_F(RestartedRun, names_the_times_that_have_a_state_if_the_fluids_has_none) {
+    displace();
+    fluid.startTime = 0.05;
+    EXPECT_THAT(refusal(), AllOf(HasSubstr("the fluid starts at 0.05 s"),
+                                 HasSubstr("it has: 0.03 s, 0.06 s, 0.09 s")));
+}
+
+TEST_F(RestartedRun, refuses_a_state_of_another_motion) {
+    displace();
+    fluid.displacements[40] *= 1.001;
+    EXPECT_THAT(refusal(), HasSubstr("is not where the structure's saved state has it"));
+}
+
+TEST_F(RestartedRun, refuses_another_geometry_with_as_many_unknowns) {
+    displace();
+    std::string text = caseText();
+    text.replace(text.find("-0.05, 0"), 8, "-0.051, 0");
+    directory.write("case.yaml", text);
+    EXPECT_THAT(refusal(), HasSubstr("geometry or discretisation"));
+}
+
+TEST_F(RestartedRun, takes_other_material_and_output_from_the_case_file) {
+    displace();
+    std::string text = caseText();
+    text.replace(text.find("youngsModulus: 4e6"), 18, "youngsModulus: 5e6");
+    directory.write("case.yaml", text);
+    ScriptedFluid script(caseFile);
+    script.start(fluid);
+    EXPECT_NE(runSteps(script, fluid, 7, 9), expected);
+    script.sayGoodbye();
+    EXPECT_EQ(script.outcome(), "");
+}
+
+TEST(RejectedStep, leaves_no_trace_in_the_steps_after_it) {
+    std::vector<std::vector<std::vector<double>>> answers;
+    for (const bool rejects : {false, true}) {
+        const TemporaryDirectory directory;
+        coupling::Interface fluid = flapInterface(20);
+        fluid.tolerance = 1e-9;
+        fluid.retries = true;
+        ScriptedFluid script(directory.write("case.yaml", caseText()));
+        script.start(fluid);
+        runSteps(script, fluid, 1, 3);
+        if (rejects) {
+            script.begin(4, 0.05, 0.02);
+            for (int exchange = 0; exchange < 3; ++exchange) {
+                script.exchange(forceOnLeft(fluid, 1e4 * exchange));
+            }
+            script.channel().send(coupling::RejectStep{"not converged"});
+        }
+        answers.push_back(runSteps(script, fluid, 4, 6));
+        script.sayGoodbye();
+        EXPECT_EQ(script.outcome(), "");
+    }
+    EXPECT_EQ(answers[0], answers[1]);
+}
+
+namespace {
+
+// A step that a nonlinear structure cannot take in one.
+class ImpossibleStep : public testing::Test {
+  protected:
+    ImpossibleStep() {
+        caseFile =
+            directory.write("case.yaml", nonlinearCaseText() + "newton: {maximumIterations: 2}\n");
+    }
+    TemporaryDirectory directory;
+    std::string caseFile;
+    coupling::Interface fluid = flapInterface(20);
+};
+
+} // namespace
+
+TEST_F(ImpossibleStep, is_told_to_a_fluid_that_retries_and_forgotten_when_it_rejects) {
+    fluid.retries = true;
+    ScriptedFluid script(caseFile);
+    script.start(fluid);
+    script.begin(1, 0.01, 0.01);
+    const coupling::Displacements answer = script.exchange(forceOnLeft(fluid, 1e7));
+    EXPECT_EQ(answer.state, coupling::State::rejected);
+    EXPECT_THAT(answer.reason, HasSubstr("time 0.01 s"));
+    script.channel().send(coupling::RejectStep{"the structure has no solution"});
+    // From rest again, the forces of which nothing is left
+    EXPECT_THAT(script.begin(1, 1e-5, 1e-5).values, testing::Each(0));
+    EXPECT_EQ(script.exchange(forceOnLeft(fluid, 1e-3), true).state, coupling::State::accepted);
+    script.sayGoodbye();
+    EXPECT_EQ(script.outcome(), "");
+    EXPECT_THAT(script.log(), HasSubstr("step 1 time 0.01 s is rejected"));
+}
+
+TEST_F(ImpossibleStep, ends_the_run_of_a_fluid_that_does_not_retry) {
+    ScriptedFluid script(caseFile);
+    script.start(fluid);
+    script.begin(1, 0.01, 0.01);
+    script.channel().send(coupling::Forces{false, false, 0, forceOnLeft(fluid, 1e7)});
+    EXPECT_THAT(script.failureText(), HasSubstr("time 0.01 s"));
+    script.outcome();
+}

@@ -1,0 +1,134 @@
+#include "common/errors.hpp"
+#include "exampleLine.hpp"
+#include "igaStructure/timeIntegration/ArcLength.hpp"
+
+#include <Eigen/LU>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace tokay;
+using namespace tokay::structure;
+using Eigen::VectorXd;
+using testing::HasSubstr;
+
+namespace {
+
+// Half of von Mises' truss: a bar that rises by h over its base b, its upper end
+// on a vertical slider. With the strain of Green and Lagrange the force is
+// E A / 2 L^3 ((h + w)^3 - h^2 (h + w)), w the slider's displacement.
+Line truss(double h, double EA) {
+    LineSection section;
+    section.axialStiffness = EA;
+    section.mass = 1;
+    LineLoads loads;
+    loads.ends.push_back(endForce("0", "-t"));
+    return {geometry::line({0, 0, 0}, {1, h, 0}),
+            section,
+            Strains::nonlinear,
+            {{LineEnd::start, true, true, false}, {LineEnd::end, true, false, false}},
+            loads};
+}
+
+// The spline of degree 3 that interpolates a sin(pi x / L) at its Greville
+// abscissae, over the half span.
+geometry::NurbsCurve sineArch(double rise, double span, int elements) {
+    const geometry::NurbsCurve straight =
+        geometry::refine(geometry::line({0, 0, 0}, {0.5 * span, 0, 0}), 4, elements);
+    const std::vector<double> xi = straight.knotVector().grevilleAbscissae();
+    const auto n = static_cast<int>(xi.size());
+    Eigen::MatrixXd values = Eigen::MatrixXd::Zero(n, n);
+    VectorXd heights(n);
+    for (int i = 0; i < n; ++i) {
+        const geometry::CurveBasis basis = straight.basis(xi[i], 0);
+        values.block(i, basis.first, 1, basis.N.cols()) = basis.N.row(0);
+        heights[i] = rise * std::sin(0.5 * M_PI * xi[i]);
+    }
+    geometry::Points points = straight.controlPoints();
+    points.col(1) = values.partialPivLu().solve(heights);
+    return straight.withControlPoints(points);
+}
+
+} // namespace
+
+TEST(ArcLength, follows_von_Mises_truss_through_both_limit_points) {
+    const double h = 0.1;
+    const double EA = 1000;
+    Line line = truss(h, EA);
+    ArcLength path(line, NewtonOptions{1e-10, 25, true}, 0.02);
+    const double L = std::hypot(1, h);
+    double highest = 0;
+    double lowest = 0;
+    int nSteps = 0;
+    while (path.state().time < 0.5 && ++nSteps < 2000) {
+        path.advance();
+        const double height = h + endDisplacement(line, path.state().displacement)[1];
+        const double exact = -EA / (2 * std::pow(L, 3)) * (std::pow(height, 3) - h * h * height);
+        ASSERT_NEAR(path.state().time, exact, 1e-8);
+        highest = std::max(highest, height > 0 ? path.state().time : 0);
+        lowest = std::min(lowest, path.state().time);
+    }
+    EXPECT_LT(nSteps, 2000);
+    const double limit = EA * std::pow(h / L, 3) / (3 * std::sqrt(3));
+    // The path passes the limit between two steps: an error of their square.
+    EXPECT_NEAR(highest, limit, 0.01 * limit);
+    EXPECT_LE(highest, limit * (1 + 1e-8));
+    EXPECT_NEAR(lowest, -limit, 0.01 * limit);
+    EXPECT_LT(endDisplacement(line, path.state().displacement)[1], -2 * h); // snapped through
+}
+
+TEST(ArcLength, shallow_sine_arch_snaps_at_the_load_of_the_shallow_theory) {
+    // y = a sin(pi x / L) under q sin(pi x / L): with the amplitude b,
+    // q = (pi/L)^4 (E I (a - b) + E A (a^2 - b^2) b / 4), largest at
+    // b^2 = (a^2 - 4 I / A) / 3. The rise is 5 radii of gyration: beyond 7 the arch
+    // would buckle into three half waves first.
+    const double a = 0.1;
+    const double L = 10;
+    LineSection section;
+    section.thickness = 0.07;
+    section.axialStiffness = 1e6 * 0.07;
+    section.bendingStiffness = 1e6 * std::pow(0.07, 3) / 12;
+    section.mass = 1;
+    const double b = std::sqrt((a * a - 4 * section.bendingStiffness / section.axialStiffness) / 3);
+    const double limit = std::pow(M_PI / L, 4) * (section.bendingStiffness * (a - b) +
+                                                  section.axialStiffness * (a * a - b * b) * b / 4);
+    LineLoads loads;
+    loads.tractions.push_back({Formula("0", ""), Formula("-t*sin(pi*x/10)", "")});
+    Line line(sineArch(a, L, 16), section, Strains::nonlinear,
+              {{LineEnd::start, true, true, false}, {LineEnd::end, true, false, true}}, loads);
+    ArcLength path(line, NewtonOptions{1e-9, 25, true}, 0.02 * limit);
+    double highest = 0;
+    double previous = 0;
+    for (int step = 0; step < 500 && path.state().time >= previous; ++step) {
+        previous = path.state().time;
+        path.advance();
+        highest = std::max(highest, path.state().time);
+    }
+    EXPECT_LT(path.state().time, previous); // the load fell after the limit
+    // Terms that the shallow theory leaves out: the slope squared, 1e-3.
+    EXPECT_NEAR(highest, limit, 0.005 * limit);
+}
+
+TEST(ArcLength, energy_of_the_path_is_the_work_of_the_loads) {
+    Line line = truss(0.1, 1000);
+    ArcLength path(line, NewtonOptions{1e-10, 25, true}, 0.002);
+    for (int step = 0; step < 60; ++step) {
+        path.advance();
+    }
+    // Trapezoidal sums of a smooth path of 60 steps.
+    EXPECT_NEAR(path.strainEnergy(), path.externalWork(), 1e-3 * path.strainEnergy());
+}
+
+TEST(ArcLength, loads_without_a_factor_of_time_are_reported) {
+    ExampleLine kind;
+    kind.loads.ends.push_back(endForce("0", "1"));
+    Line line = kind.build();
+    ArcLength path(line, {}, 0.1);
+    try {
+        path.advance();
+        FAIL();
+    } catch (const SolverError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("give them a factor t"));
+    }
+}

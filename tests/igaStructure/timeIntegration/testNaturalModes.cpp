@@ -1,0 +1,90 @@
+#include "common/errors.hpp"
+#include "exampleCase.hpp"
+#include "exampleLine.hpp"
+#include "exampleSolid.hpp"
+#include "igaStructure/timeIntegration/naturalModes.hpp"
+#include "igaStructure/run/runModes.hpp"
+#include "tableRows.hpp"
+#include "temporaryDirectory.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+using namespace tokay;
+using namespace tokay::structure;
+using Eigen::MatrixXd;
+using testing::HasSubstr;
+
+TEST(NaturalModes, cantilever_has_the_frequencies_of_Euler_and_Bernoulli) {
+    ExampleLine kind;
+    kind.strains = Strains::linear;
+    kind.elements = 32;
+    const NaturalModes modes = naturalModes(kind.build(), 4);
+    const double roots[] = {1.875104069, 4.694091133, 7.854757438, 10.99554073};
+    for (int k = 0; k < 4; ++k) {
+        const double exact = std::pow(roots[k] / 10, 2) *
+                             std::sqrt(kind.section().bendingStiffness / kind.section().mass);
+        EXPECT_NEAR(modes.angularFrequencies[k], exact, 1e-6 * exact); // degree 4, 32 elements
+    }
+}
+
+TEST(NaturalModes, shapes_are_orthogonal_and_of_modal_mass_one) {
+    const PlaneSolid solid = makeExample({Kinematics::planeStrain, Strains::nonlinear, true});
+    const NaturalModes modes = naturalModes(solid, 6);
+    const MatrixXd product = modes.shapes.transpose() * (solid.massMatrix() * modes.shapes);
+    EXPECT_LT((product - MatrixXd::Identity(6, 6)).norm(), 1e-9); // as the iteration's tolerance
+    for (int k = 0; k < 6; ++k) {
+        for (int i = 0; i < solid.nUnknowns(); ++i) {
+            if (solid.fixed()[i]) {
+                EXPECT_EQ(modes.shapes(i, k), 0);
+            }
+        }
+    }
+}
+
+TEST(NaturalModes, free_body_has_three_rigid_modes) {
+    const PlaneSolid solid(geometry::refine(geometry::rectangle({0, 0, 0}, 0.1, 1), 2, 3, 2, 8),
+                           exampleMaterial(Kinematics::planeStrain), Strains::linear, {}, {});
+    const NaturalModes modes = naturalModes(solid, 4);
+    // Rounding of squares: a rigid mode's is the last digits of the highest one.
+    for (int k = 0; k < 3; ++k) {
+        EXPECT_LT(modes.angularFrequencies[k], 1e-2 * modes.angularFrequencies[3]);
+    }
+    const double free = std::pow(4.730040745, 2) * std::sqrt(4e6 / 0.91 * 1e-3 / 12 / 300);
+    // A solid of slenderness 10 bends and shears: a few percent below the beam.
+    EXPECT_NEAR(modes.angularFrequencies[3], free, 0.05 * free);
+    EXPECT_LT(modes.angularFrequencies[3], free);
+}
+
+// An elastic ring in plane strain, radii 0.95 and 1.05, ovalling (n = 2): a
+// quarter with symmetric edges. Published: 2.555042 rad/s (solids4foam, ringAddedMass).
+TEST(NaturalModes, ring_ovals_with_the_published_frequency) {
+    Material material;
+    material.youngsModulus = 1e6;
+    material.poissonsRatio = 0.3;
+    material.density = 1000;
+    const PlaneSolid ring(
+        geometry::refine(geometry::ringSector({0, 0, 0}, 0.95, 1.05, 0, 0.5 * M_PI), 3, 4, 2, 12),
+        material, Strains::linear,
+        {{geometry::Edge::bottom, {false, true}}, {geometry::Edge::top, {true, false}}}, {});
+    EXPECT_NEAR(naturalModes(ring, 1).angularFrequencies[0], 2.555042, 0.0005 * 2.555042);
+}
+
+TEST(NaturalModes, more_modes_than_unknowns_are_refused) {
+    ExampleLine kind;
+    kind.degree = 2;
+    kind.elements = 1;
+    EXPECT_THROW(naturalModes(kind.build(), 3), InputError);
+}
+
+TEST(RunModes, prints_and_tabulates_frequencies_and_writes_shapes) {
+    const TemporaryDirectory directory;
+    std::string log;
+    runModes(readCase(directory.write("case.yaml", exampleText())), 3,
+             [&](const std::string& line) { log += line + "\n"; });
+    EXPECT_THAT(log, HasSubstr("mode 3  "));
+    const auto rows = tableRows(directory.read("postProcessing/case/modes.dat"));
+    ASSERT_EQ(rows.size(), 3u);
+    EXPECT_NEAR(rows[1][1], 2 * M_PI * rows[1][2], 1e-9 * rows[1][1]);
+    EXPECT_THAT(directory.read("results/caseModes.pvd"), HasSubstr("timestep=\"3\""));
+}

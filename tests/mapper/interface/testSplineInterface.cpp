@@ -1,0 +1,54 @@
+#include "mapper/interface/SplineInterface.hpp"
+
+#include "geometry/expectInputError.hpp"
+#include "geometry/primitives/primitives.hpp"
+#include "sampleInterfaces.hpp"
+#include <gtest/gtest.h>
+
+namespace tokay::mapper {
+
+TEST(SplineInterface, locatesPointsOnTheRightPiece) {
+    const SplineInterface interface = flapInterface();
+    EXPECT_EQ(interface.closest(Point(-0.06, 0.4, 0)).piece, 0);
+    EXPECT_EQ(interface.closest(Point(0.01, 1.1, 0)).piece, 1);
+    EXPECT_EQ(interface.closest(Point(0.04, 0.3, 0)).piece, 2);
+    EXPECT_NEAR(interface.locate(Point(0.04, 0.3, 0)).gap, 0.01, 1e-15);
+}
+
+TEST(SplineInterface, aCornerOfTwoPiecesIsOnePlace) {
+    const Location corner = flapInterface().locate(Point(-0.05, 1, 0));
+    EXPECT_FALSE(corner.ambiguous);
+    EXPECT_LT(corner.gap, 1e-15);
+    int nWeights = 0;
+    for (const double weight : corner.weights)
+        nWeights += std::abs(weight) > 1e-14;
+    EXPECT_EQ(nWeights, 1) << "a corner is a control point";
+}
+
+TEST(SplineInterface, thePointInTheMiddleOfTheFlapIsAmbiguous) {
+    EXPECT_TRUE(flapInterface().locate(Point(0, 0.5, 0)).ambiguous);
+    EXPECT_FALSE(flapInterface().locate(Point(0.001, 0.5, 0)).ambiguous);
+}
+
+TEST(SplineInterface, refusesPiecesThatDoNotFitTheStructure) {
+    const geometry::NurbsCurve line = geometry::line(Point::Zero(), Point(1, 0, 0));
+    const geometry::NurbsCurve other = geometry::line(Point(1, 0.5, 0), Point(2, 0, 0));
+    expectInputError([&] { SplineInterface({}, 4); }, {"no piece"});
+    expectInputError(
+        [&] {
+            SplineInterface({{line, {0, 1, 2}, "plate.top"}}, 4);
+        },
+        {"plate.top", "3", "2"});
+    expectInputError(
+        [&] {
+            SplineInterface({{line, {0, 4}, "plate.top"}}, 4);
+        },
+        {"plate.top", "control point 4", "has 4"});
+    expectInputError(
+        [&] {
+            SplineInterface({{line, {0, 1}, "first"}, {other, {1, 2}, "second"}}, 4);
+        },
+        {"Control point 1", "second", "0.5"});
+}
+
+} // namespace tokay::mapper

@@ -1,0 +1,102 @@
+#include "mapper/interface/SurfaceMesh.hpp"
+
+#include "geometry/expectInputError.hpp"
+#include "mapper/nearest/NearestElementMapping.hpp"
+#include "mapper/interface/PointCloud.hpp"
+#include "mapper/conservation.hpp"
+#include "mappingProperties.hpp"
+#include "sampleMeshes.hpp"
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace tokay::mapper {
+
+namespace {
+
+const FaceKind allKinds[] = {FaceKind::triangles, FaceKind::quadrilaterals, FaceKind::polygons};
+
+} // namespace
+
+TEST(SurfaceMesh, nearestElementReproducesLinearFieldsAndConservesForces) {
+    for (const FaceKind kind : allKinds) {
+        const SurfaceMesh mesh = flatMesh(7, 5, kind, ValuesAt::vertices);
+        const Points to =
+            flatMesh(11, 4, FaceKind::quadrilaterals, ValuesAt::vertices, 2, 1, 3).coordinates();
+        const NearestElementMapping mapping(mesh, to);
+        const Points mapped = mapping.apply(linearField(mesh.coordinates()));
+        EXPECT_LT((mapped - linearField(to)).cwiseAbs().maxCoeff(), 1e-14 * 5);
+        EXPECT_EQ(mapping.report().nUnmatched, 0);
+        EXPECT_LT(mapping.report().rowSumError, 1e-14);
+        expectForceAndMomentConserved(mapping, testForces(to.rows()), mesh.coordinates(), to);
+        expectTransposesEqual(mapping, mesh.nValues(), static_cast<int>(to.rows()));
+    }
+}
+
+TEST(SurfaceMesh, faceValuesAreConstantOverEachFace) {
+    const SurfaceMesh mesh = flatMesh(4, 4, FaceKind::quadrilaterals, ValuesAt::faces);
+    EXPECT_EQ(mesh.nValues(), 16);
+    const Location at = mesh.locate(mesh.coordinates().row(5));
+    EXPECT_EQ(at.values, std::vector<int>{5});
+    EXPECT_EQ(at.weights[0], 1);
+}
+
+TEST(SurfaceMesh, stretchedMeshesKeepTheLinearField) {
+    // Anisotropy 1 : 1000; coordinates of the thin direction have 1e-13 of its size.
+    const SurfaceMesh mesh = flatMesh(6, 6, FaceKind::triangles, ValuesAt::vertices, 1, 1e-3);
+    const Points to =
+        flatMesh(9, 7, FaceKind::triangles, ValuesAt::vertices, 1, 1e-3, 5).coordinates();
+    const NearestElementMapping mapping(mesh, to);
+    EXPECT_LT((mapping.apply(linearField(mesh.coordinates())) - linearField(to)).norm(), 1e-12);
+}
+
+TEST(SurfaceMesh, refusesBrokenFacesByNumber) {
+    Points vertices(5, 3);
+    vertices << 0, 0, 0, 1, 0, 0, 2, 0, 0, 1, 1, 0, 0, 1, 0;
+    const auto mesh = [&](const SurfaceMesh::Faces& faces) {
+        SurfaceMesh(vertices, faces, ValuesAt::vertices);
+    };
+    expectInputError([&] { mesh({{0, 1, 3}, {0, 1}}); }, {"Face 1", "2 vertices"});
+    expectInputError([&] { mesh({{0, 1, 9}}); }, {"Face 0", "vertex 9", "5"});
+    expectInputError([&] { mesh({{0, 1, 3, 1}}); }, {"Face 0", "vertex 1 twice"});
+    expectInputError([&] { mesh({{0, 1, 3}, {0, 1, 2}}); }, {"Face 1", "no area"});
+    expectInputError([&] { mesh({}); }, {"no face"});
+    vertices(3, 1) = INFINITY;
+    expectInputError([&] { mesh({{0, 1, 3}}); }, {"point 3", "inf"});
+}
+
+TEST(SurfaceMesh, duplicatePointsMakeAFaceWithoutAreaAndAreRefused) {
+    Points vertices(4, 3);
+    vertices << 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 1, 0;
+    expectInputError(
+        [&] {
+            SurfaceMesh(vertices, {{0, 1, 3}, {0, 1, 2, 3}}, ValuesAt::vertices);
+        },
+        {"Face 1", "no area", "vertices 1 and 2"});
+}
+
+TEST(PointCloud, mapsTheNearestValueAndConservesTheSum) {
+    const Points from = flatMesh(6, 6, FaceKind::triangles, ValuesAt::vertices).coordinates();
+    const Points to =
+        flatMesh(9, 9, FaceKind::triangles, ValuesAt::vertices, 2, 1, 2).coordinates();
+    const NearestElementMapping mapping(PointCloud(from), to, {0.2});
+    const Eigen::MatrixXd matrix = mapping.matrix();
+    for (int i = 0; i < to.rows(); ++i) {
+        Eigen::Index nearest, mapped;
+        (from.rowwise() - to.row(i)).rowwise().squaredNorm().minCoeff(&nearest);
+        EXPECT_EQ(matrix.row(i).maxCoeff(&mapped), 1);
+        EXPECT_EQ(mapped, nearest);
+        EXPECT_EQ(matrix.row(i).sum(), 1);
+    }
+    EXPECT_LT(mapping.report().forceSumError, 1e-14);
+    EXPECT_NE(mapping.report().text().find("nearest neighbour"), std::string::npos);
+    expectTransposesEqual(mapping, static_cast<int>(from.rows()), static_cast<int>(to.rows()));
+}
+
+TEST(PointCloud, pointsHalfwayBetweenTwoAreCountedAsAmbiguous) {
+    Points from(2, 3), to(2, 3);
+    from << 0, 0, 0, 1, 0, 0;
+    to << 0.5, 0, 0, 0.2, 0, 0;
+    EXPECT_EQ(NearestElementMapping(PointCloud(from), to, {1}).report().nAmbiguous, 1);
+}
+
+} // namespace tokay::mapper

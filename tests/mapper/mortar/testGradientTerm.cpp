@@ -1,0 +1,178 @@
+#include "common/errors.hpp"
+#include "geometry/quadrature/gaussLegendre.hpp"
+#include "geometry/primitives/primitives.hpp"
+#include "geometry/spline/refinement.hpp"
+#include "mapper/mortar/MortarMapping.hpp"
+#include "mapper/conservation.hpp"
+#include "mappingProperties.hpp"
+#include "sampleInterfaces.hpp"
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numeric>
+
+namespace tokay::mapper {
+
+namespace {
+
+using geometry::NurbsSurface;
+
+MortarOptions with(SingularMass singular) {
+    MortarOptions options;
+    options.singular = singular;
+    return options;
+}
+
+/// Biquadratic patch [-1, 1] x [0, 1] of n x n elements, and its edge from
+/// (start, 0) to (end, 1), which the loop's interior lies to the left of.
+struct SlantedEdge {
+    NurbsSurface surface;
+    double start, end;
+
+    SlantedEdge(int n, double from, double to)
+        : surface(refine(geometry::rectangle(Point(-1, 0, 0), 2, 1), 2, 2, n, n)), start(from),
+          end(to) {}
+
+    CurveInterface interface() const {
+        std::vector<int> numbers(surface.nControlPoints());
+        std::iota(numbers.begin(), numbers.end(), 0);
+        std::vector<std::unique_ptr<InterfaceCurve>> curves;
+        curves.push_back(interfaceCurve(
+            geometry::CurveOnSurface(
+                geometry::line(Point((1 + start) / 2, 0, 0), Point((1 + end) / 2, 1, 0)), surface),
+            numbers));
+        return CurveInterface(std::move(curves), surface.controlPoints());
+    }
+    /// The same place as line elements.
+    CurveInterface mesh(int nElements) const {
+        Points vertices(nElements + 1, 3);
+        std::vector<std::array<int, 2>> elements;
+        for (int i = 0; i <= nElements; ++i) {
+            const double t = static_cast<double>(i) / nElements;
+            vertices.row(i) << start + (end - start) * t, t, 0;
+            if (i > 0)
+                elements.push_back({i - 1, i});
+        }
+        return lineMesh(vertices, elements);
+    }
+};
+
+double smooth(double x, double y) {
+    return 1 + std::sin(3 * y) + 0.3 * std::cos(2 * x + 1);
+}
+
+Eigen::VectorXd smooth(const Points& x) {
+    Eigen::VectorXd values(x.rows());
+    for (Eigen::Index i = 0; i < x.rows(); ++i)
+        values[i] = smooth(x(i, 0), x(i, 1));
+    return values;
+}
+
+/// L2 errors of the mapped smooth field, along the edge and in a strip of half an
+/// element on either side that stays in the cut elements of an upright edge.
+struct Errors {
+    double onEdge, beside;
+};
+
+Errors errors(const SlantedEdge& edge, const Eigen::VectorXd& values, double from, double to) {
+    const auto& rule = geometry::gaussLegendre(40);
+    Errors sums{0, 0};
+    for (int j = 0; j < 40; ++j) {
+        const double t = rule.points[j];
+        const auto squared = [&](double x) {
+            const geometry::SurfaceBasis basis = edge.surface.basis((1 + x) / 2, t, 0);
+            const double value = basis.N.row(0).dot(values(basis.controlPoints));
+            return std::pow(value - smooth(x, t), 2);
+        };
+        sums.onEdge += rule.weights[j] * squared(edge.start + (edge.end - edge.start) * t);
+        for (int i = 0; i < 40; ++i)
+            sums.beside +=
+                rule.weights[i] * rule.weights[j] * squared(from + (to - from) * rule.points[i]);
+    }
+    return {std::sqrt(sums.onEdge), std::sqrt(sums.beside)};
+}
+
+} // namespace
+
+TEST(GradientTerm, fieldsThatDoNotChangeAcrossTheEdgeAreExactInTheCutElements) {
+    for (const double trim : {0.0, 1e-12, 1e-8, 1e-4, 0.05, 0.13}) {
+        const SlantedEdge edge(8, trim, trim);
+        const CurveInterface to = edge.interface(), from = edge.mesh(11);
+        const MortarMapping mapping(from, to, with(SingularMass::gradientTerm));
+        const Eigen::VectorXd along =
+            (2 - 0.7 * from.coordinates().col(1).array()).matrix(); // linear along the edge
+        const Eigen::VectorXd mapped = mapping.apply(along);
+        const double left = trim > 0 ? 0 : -0.25, right = left + 0.25; // the cut elements
+        for (const double x : {left + 0.01, left + 0.1, right - 0.01})
+            for (const double y : {0.0, 0.3, 1.0}) {
+                const geometry::SurfaceBasis basis = edge.surface.basis((1 + x) / 2, y, 0);
+                // Roundings of the trace reach the far side of an element, 1e-4 of it away
+                // from the edge, through its slopes.
+                EXPECT_NEAR(basis.N.row(0).dot(mapped(basis.controlPoints)), 2 - 0.7 * y, 1e-11)
+                    << "trim " << trim << ", at " << x << ", " << y;
+            }
+    }
+}
+
+TEST(GradientTerm, takesLinearFieldsOnTheEdgeAndConservesForceAndMoment) {
+    for (const double end : {0.13, -0.1, 0.6}) {
+        const SlantedEdge edge(8, 0.13, end);
+        const CurveInterface to = edge.interface(), from = edge.mesh(11);
+        const MortarMapping mapping(from, to, with(SingularMass::gradientTerm));
+        const Points mapped = mapping.apply(linearField(from.coordinates()));
+        const Points expected = mapping.massMatrix() * linearField(to.coordinates());
+        EXPECT_LT((mapping.massMatrix() * mapped - expected).norm(), 1e-12 * expected.norm());
+        // A slanted edge has traces of any smallness: those below SPQR's tolerance of
+        // 20 (rows + columns) roundings, here 1e-12, count as none.
+        EXPECT_LT(mapping.report().rowSumError, 1e-11);
+        const Points forces = mapping.massMatrix() * testForces(to.nValues());
+        expectForceAndMomentConserved(mapping, forces, from.coordinates(), to.coordinates());
+        if (end == edge.start)
+            expectTransposesEqual(mapping, from.nValues(), to.nValues());
+        // A trace of 1e-12 of the largest leaves 4 digits of its value, either way.
+        const Points values = linearField(from.coordinates()).array().sin();
+        const double work = mapping.apply(values).cwiseProduct(forces).sum();
+        EXPECT_NEAR(work, values.cwiseProduct(mapping.applyTransposed(forces)).sum(),
+                    1e-7 * values.norm() * forces.norm());
+    }
+}
+
+TEST(GradientTerm, hasTheTraceOfTheMinimumNormAndABetterFieldInTheCutElements) {
+    for (const int n : {8, 16, 32}) {
+        const double element = 2.0 / n, trim = 0.3 * element;
+        const SlantedEdge edge(n, trim, trim);
+        const CurveInterface to = edge.interface(), from = edge.mesh(40 * n);
+        const Eigen::VectorXd values = smooth(from.coordinates());
+        const auto errorsOf = [&](SingularMass singular) {
+            return errors(edge, MortarMapping(from, to, with(singular)).apply(values), 0, element);
+        };
+        const Errors norm = errorsOf(SingularMass::minimumNorm),
+                     gradient = errorsOf(SingularMass::gradientTerm);
+        EXPECT_NEAR(gradient.onEdge, norm.onEdge, 1e-9);
+        // The slope across the edge is at most 0.6: over half an element.
+        EXPECT_LT(gradient.beside, 0.6 * 0.5 * element) << n;
+        EXPECT_GT(norm.beside, 0.1) << "the minimum norm does not even hold constants there";
+    }
+}
+
+TEST(GradientTerm, keepsRankAndCountAndExplainsItself) {
+    const CurveInterface to = trimmedEdge(0.5), inside = trimmedEdge(0.3);
+    const MortarMapping onKnotLine(verticalMesh(3), to, with(SingularMass::gradientTerm));
+    EXPECT_EQ(onKnotLine.report().nInverted, 8);
+    EXPECT_EQ(onKnotLine.report().rank, 4);
+    const MortarMapping mapping(verticalMesh(3), inside, with(SingularMass::gradientTerm));
+    EXPECT_EQ(mapping.report().nInverted, 12);
+    EXPECT_EQ(mapping.report().rank, 4);
+    EXPECT_NE(mapping.report().text().find("12 functions has only 4 dimensions"),
+              std::string::npos);
+    EXPECT_NE(mapping.report().text().find("chosen by the gradient term"), std::string::npos);
+    EXPECT_NE(mapping.report().json().text().find("\"gradient term\""), std::string::npos);
+}
+
+TEST(GradientTerm, isNotUsedWhereNothingIsOpen) {
+    const MortarMapping mapping(verticalMesh(7), verticalSpline(2, 4),
+                                with(SingularMass::gradientTerm));
+    EXPECT_TRUE(mapping.report().regularisation.empty());
+    EXPECT_LT(mapping.report().rowSumError, 1e-12);
+}
+
+} // namespace tokay::mapper

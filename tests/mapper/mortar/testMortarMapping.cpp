@@ -1,0 +1,211 @@
+#include "mapper/mortar/MortarMapping.hpp"
+
+#include "common/errors.hpp"
+#include "geometry/expectInputError.hpp"
+#include "mapper/conservation.hpp"
+#include "mappingProperties.hpp"
+#include "sampleInterfaces.hpp"
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace tokay::mapper {
+
+namespace {
+
+constexpr MortarOptions minimumNorm() {
+    MortarOptions options;
+    options.singular = SingularMass::minimumNorm;
+    return options;
+}
+
+MortarOptions dual() {
+    MortarOptions options;
+    options.basis = MortarBasis::dual;
+    return options;
+}
+
+/// Error of the field on the destination, which does not ask for its values.
+double fieldError(const MortarMapping& mapping, const Points& mapped, const Points& expected) {
+    return (mapping.massMatrix() * (mapped - expected)).norm() /
+           (mapping.massMatrix() * expected).norm();
+}
+
+void expectPatchTest(const CurveInterface& from, const CurveInterface& to,
+                     const MortarOptions& options) {
+    const MortarMapping mapping(from, to, options);
+    const Points mapped = mapping.apply(linearField(from.coordinates()));
+    EXPECT_LT(fieldError(mapping, mapped, linearField(to.coordinates())), 1e-12);
+    EXPECT_LT(mapping.report().rowSumError, 1e-12);
+    EXPECT_NEAR(mapping.report().coverage, 1, 1e-12);
+    const Points forces = mapping.massMatrix() * testForces(to.nValues());
+    expectForceAndMomentConserved(mapping, forces, from.coordinates(), to.coordinates());
+    expectTransposesEqual(mapping, from.nValues(), to.nValues());
+}
+
+} // namespace
+
+TEST(MortarMapping, passesThePatchTestBetweenLineMeshesThatDoNotMatch) {
+    expectPatchTest(verticalMesh(7), verticalMesh(5), {});
+    expectPatchTest(verticalMesh(5), verticalMesh(7), {});
+    expectPatchTest(verticalMesh(3), verticalMesh(300), {});
+    expectPatchTest(verticalMesh(300), verticalMesh(3), {});
+}
+
+TEST(MortarMapping, passesThePatchTestBetweenSplinesAndLineMeshes) {
+    expectPatchTest(verticalMesh(7), verticalSpline(2, 4), {});
+    expectPatchTest(verticalSpline(3, 4), verticalMesh(9), {});
+    expectPatchTest(verticalSpline(2, 5), verticalSpline(3, 4), {});
+    expectPatchTest(verticalSpline(4, 3), verticalSpline(1, 11), {});
+}
+
+TEST(MortarMapping, mapsConstantsAndMeansWithValuesOnTheElementsOfALineMesh) {
+    const CurveInterface vertices = verticalMesh(7), faces = verticalFaces(9),
+                         others = verticalFaces(5);
+    for (const CurveInterface* from : {&vertices, &faces, &others})
+        for (const CurveInterface* to : {&vertices, &faces, &others}) {
+            const MortarMapping mapping(*from, *to);
+            EXPECT_LT(mapping.report().rowSumError, 1e-12);
+            EXPECT_LT(mapping.report().forceSumError, 1e-12);
+            expectTransposesEqual(mapping, from->nValues(), to->nValues());
+        }
+    // The mean of a linear field over a straight element is its value in the middle.
+    expectPatchTest(vertices, faces, {});
+    expectPatchTest(verticalSpline(2, 4), faces, {});
+    EXPECT_EQ(faces.nValues(), 9);
+    EXPECT_LT(MortarMapping(faces, verticalSpline(2, 4)).report().rowSumError, 1e-12);
+}
+
+TEST(MortarMapping, passesThePatchTestFromTheDualBasisToo) {
+    expectPatchTest(verticalMesh(7), verticalMesh(5), dual());
+    expectPatchTest(verticalSpline(3, 4), verticalMesh(9), dual());
+    const MortarMapping mapping(verticalMesh(7), verticalMesh(5), dual());
+    EXPECT_EQ(mapping.massMatrix().nonZeros(), 6) << "M_DD must be diagonal";
+}
+
+TEST(MortarMapping, passesThePatchTestWithTrimmedEdgesAnywhere) {
+    for (const double trim : {0.5, 0.3, 0.5 - 1e-4, 0.5 + 1e-4, 0.5 - 1e-8, 0.5 + 1e-12}) {
+        expectPatchTest(trimmedEdge(trim), verticalSpline(2, 3), {});
+        expectPatchTest(verticalMesh(7), trimmedEdge(trim), minimumNorm());
+        expectPatchTest(trimmedEdge(0.7), trimmedEdge(trim), minimumNorm());
+    }
+}
+
+TEST(MortarMapping, reproducesWhatTheDestinationHoldsOfHigherDegree) {
+    // A quadratic field from a quadratic to a cubic spline on other knots.
+    const SplineInterface from = verticalSpline(2, 5), to = verticalSpline(3, 4);
+    const Points exact = testForces(from.nValues());
+    const Points mapped = MortarMapping(from, to).apply(exact);
+    const Points back = MortarMapping(to, from).apply(mapped);
+    // from's C1 functions are not in to's space, but one quadratic is in both.
+    Points quadratic(from.nValues(), 3);
+    const std::vector<double> knots = from.pieces()[0].curve.knotVector().knots();
+    for (int i = 0; i < from.nValues(); ++i) // blossom of y^2 at the inner knots
+        quadratic.row(i).setConstant(knots[i + 1] * knots[i + 2]);
+    const Points there = MortarMapping(from, to).apply(quadratic);
+    EXPECT_LT((MortarMapping(to, from).apply(there) - quadratic).norm(), 1e-12);
+    EXPECT_GT((back - exact).norm(), 1e-3) << "a rough field cannot survive";
+}
+
+TEST(MortarMapping, theReportsMatrixOfATrimLineOnAKnotLine) {
+    MortarMapping mapping(verticalMesh(3), trimmedEdge(0.5), minimumNorm());
+    // In the report's order: pairs across the line, along the line; our control
+    // points count along xi, of which columns 1 and 2 do not vanish there.
+    std::vector<int> order;
+    for (int j = 0; j < 4; ++j)
+        for (int i = 1; i <= 2; ++i)
+            order.push_back(i + 4 * j);
+    const Eigen::MatrixXd all = mapping.massMatrix();
+    const Eigen::MatrixXd matrix = all(order, order);
+    Eigen::Matrix4d along;
+    along << 0.025, 0.0145833, 0.00208333, 0, 0.0145833, 0.0416667, 0.025, 0.00208333, 0.00208333,
+        0.025, 0.0416667, 0.0145833, 0, 0.00208333, 0.0145833, 0.025;
+    for (int i = 0; i < 8; ++i)
+        for (int j = 0; j < 8; ++j) // half a unit of the last digit printed
+            EXPECT_NEAR(matrix(i, j), along(i / 2, j / 2), 5e-8) << i << ", " << j;
+    EXPECT_EQ(mapping.report().nInverted, 8);
+    EXPECT_EQ(mapping.report().rank, 4);
+
+    const Eigen::VectorXd eigenvalues =
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix).eigenvalues();
+    EXPECT_NEAR(mapping.report().condition, eigenvalues[7] / eigenvalues[4],
+                0.01 * mapping.report().condition);
+    EXPECT_NE(mapping.report().text().find("8 x 8, rank 4 (singular)"), std::string::npos);
+}
+
+TEST(MortarMapping, aTrimLineInsideAnElementHasTwelveFunctionsAndRankFour) {
+    const MortarMapping mapping(verticalMesh(3), trimmedEdge(0.3), minimumNorm());
+    EXPECT_EQ(mapping.report().nInverted, 12);
+    EXPECT_EQ(mapping.report().rank, 4);
+}
+
+TEST(MortarMapping, theMinimumNormSolutionIsThePseudoInverses) {
+    const CurveInterface from = verticalMesh(3), to = trimmedEdge(0.3);
+    const MortarMapping mapping(from, to, minimumNorm());
+    const Points values = testForces(from.nValues());
+    const Eigen::MatrixXd mass = mapping.massMatrix();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(mass);
+    Eigen::VectorXd inverses = Eigen::VectorXd::Zero(16);
+    inverses.tail(4) = eigen.eigenvalues().tail(4).cwiseInverse();
+    const Points expected = eigen.eigenvectors() * inverses.asDiagonal() *
+                            eigen.eigenvectors().transpose() * (mapping.crossMatrix() * values);
+    EXPECT_LT((mapping.apply(values) - expected).norm(), 1e-11 * expected.norm());
+}
+
+TEST(MortarMapping, refusesASingularMatrixUnlessToldWhatToDo) {
+    try {
+        MortarMapping(verticalMesh(3), trimmedEdge(0.3));
+        ADD_FAILURE() << "nothing was thrown";
+    } catch (const SolverError& error) {
+        const std::string message = error.what();
+        for (const char* word : {"singular", "12 functions", "4 dimensions", "minimum norm"})
+            EXPECT_NE(message.find(word), std::string::npos) << message;
+    }
+}
+
+TEST(MortarMapping, aPartlyCoveredDestinationTakesConstantsAndCountsTheRest) {
+    MortarOptions options;
+    options.gapLimit.refuse = false;
+    options.gapLimit.relative = 1e-9;
+    Points vertices(2, 3);
+    vertices << 0, 0, 0, 0, 0.6, 0;
+    const CurveInterface from = lineMesh(vertices, {{0, 1}}), to = verticalMesh(10);
+    const MortarMapping mapping(from, to, options);
+    EXPECT_NEAR(mapping.report().coverage, 0.6, 1e-12);
+    const Eigen::VectorXd mapped = mapping.apply(Eigen::VectorXd::Ones(2));
+    int nUncovered = 0;
+    for (int i = 0; i < 11; ++i) {
+        const bool isCovered = i == 0 || to.coordinates()(i - 1, 1) < 0.6;
+        nUncovered += !isCovered;
+        EXPECT_NEAR(mapped[i], isCovered ? 1 : 0, 1e-12) << i;
+    }
+    EXPECT_GT(nUncovered, 0);
+    EXPECT_EQ(mapping.report().nUncovered, nUncovered);
+    options.gapLimit.refuse = true;
+    expectInputError([&] { MortarMapping(from, to, options); }, {"do not lie on each other"});
+}
+
+TEST(MortarMapping, keepsConstantsAndForcesOnCurvedSidesThatDoNotCoincide) {
+    const SplineInterface circle = quarterCircle(2, 6);
+    Points vertices(10, 3);
+    std::vector<std::array<int, 2>> elements;
+    for (int i = 0; i < 10; ++i) {
+        const double angle = std::acos(0.0) * i / 9;
+        vertices.row(i) << std::cos(angle), std::sin(angle), 0;
+        if (i > 0)
+            elements.push_back({i - 1, i});
+    }
+    const CurveInterface facets = lineMesh(vertices, elements);
+    for (const bool ontoSpline : {false, true}) {
+        const CurveInterface &from = ontoSpline ? facets : circle,
+                             &to = ontoSpline ? static_cast<const CurveInterface&>(circle) : facets;
+        const MortarMapping mapping(from, to);
+        EXPECT_LT(mapping.report().rowSumError, 1e-12);
+        EXPECT_LT(mapping.report().forceSumError, 1e-12);
+        expectTransposesEqual(mapping, from.nValues(), to.nValues());
+        // The sagitta of a facet of 10 degrees.
+        EXPECT_NEAR(mapping.report().largestGap, 1 - std::cos(std::acos(0.0) / 18), 2e-5);
+    }
+}
+
+} // namespace tokay::mapper

@@ -1,0 +1,152 @@
+#include "mapper/mortar/MortarMapping.hpp"
+
+#include "expectPatchTest.hpp"
+#include "geometry/expectInputError.hpp"
+#include "geometry/primitives/primitives.hpp"
+#include "geometry/spline/refinement.hpp"
+#include "mapper/nearest/NearestElementMapping.hpp"
+#include "mapper/conservation.hpp"
+#include "sampleMeshes.hpp"
+#include "samplePatches.hpp"
+#include <Eigen/Geometry>
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace tokay::mapper {
+
+namespace {
+
+const double pi = std::acos(-1.0);
+using geometry::NurbsSurface;
+using geometry::TrimmedPatch;
+
+} // namespace
+
+TEST(PatchMortar, passesThePatchTestBetweenMeshesAndAPatchBothWays) {
+    for (const FaceKind kind :
+         {FaceKind::triangles, FaceKind::quadrilaterals, FaceKind::polygons}) {
+        const SurfaceMesh mesh = flatMesh(9, 7, kind, ValuesAt::vertices);
+        expectPatchTest(mesh, onePatch(TrimmedPatch(plate(5, 4))));
+        expectPatchTest(onePatch(TrimmedPatch(plate(5, 4))), mesh);
+    }
+}
+
+TEST(PatchMortar, coversAFlatInterfaceCompletely) {
+    const SurfaceMesh mesh = flatMesh(9, 7, FaceKind::quadrilaterals, ValuesAt::vertices);
+    const SurfaceInterface splines = onePatch(TrimmedPatch(plate(5, 4)));
+    EXPECT_NEAR(MortarMapping(mesh, splines).report().coverage, 1, 1e-12);
+    EXPECT_NEAR(MortarMapping(splines, mesh).report().coverage, 1, 1e-12);
+    EXPECT_EQ(MortarMapping(splines, mesh).report().nUncovered, 0);
+    // The integral of all functions of the patch is its area.
+    const MortarMapping mapping(mesh, splines);
+    EXPECT_NEAR(mapping.massMatrix().sum(), 2, 1e-13);
+    EXPECT_NEAR(mapping.crossMatrix().sum(), 2, 1e-13);
+}
+
+TEST(PatchMortar, passesThePatchTestWithParametersThatAreNeitherStraightNorEven) {
+    const SurfaceMesh mesh = flatMesh(9, 7, FaceKind::triangles, ValuesAt::vertices);
+    const SurfaceInterface splines = onePatch(TrimmedPatch(bentParameters(6, 4)));
+    expectPatchTest(mesh, splines);
+    expectPatchTest(splines, mesh);
+}
+
+TEST(PatchMortar, passesThePatchTestOnATrimmedPatch) {
+    MortarOptions options;
+    options.singular = SingularMass::minimumNorm;
+    const SurfaceMesh mesh = flatMesh(9, 7, FaceKind::triangles, ValuesAt::vertices);
+    expectPatchTest(mesh, onePatch(holedPlate()), options);
+    expectPatchTest(onePatch(holedPlate()), mesh, options);
+    const MortarMapping mapping(mesh, onePatch(holedPlate()), options);
+    // In space the hole is an ellipse of semi-axes 2 * 0.23 and 0.23.
+    EXPECT_NEAR(mapping.massMatrix().sum(), 2 - pi * 2 * 0.23 * 0.23, 1e-4);
+}
+
+TEST(PatchMortar, passesThePatchTestAcrossPatches) {
+    const SurfaceMesh mesh = flatMesh(8, 5, FaceKind::quadrilaterals, ValuesAt::vertices);
+    expectPatchTest(mesh, twoPatches());
+    expectPatchTest(twoPatches(), mesh);
+    EXPECT_NEAR(MortarMapping(twoPatches(), mesh).report().coverage, 1, 1e-12);
+}
+
+TEST(PatchMortar, facesPartlyOutsideAreCutAtTheEdgeOfThePatch) {
+    // The mesh reaches from x = 0 to 2, the patch only to 1.
+    const NurbsSurface half = refine(geometry::rectangle(Point::Zero(), 1, 1), 2, 2, 3, 3);
+    const SurfaceMesh mesh = flatMesh(9, 7, FaceKind::triangles, ValuesAt::vertices);
+    const SurfaceInterface splines = onePatch(TrimmedPatch(half));
+    expectPatchTest(mesh, splines);
+    EXPECT_NEAR(MortarMapping(mesh, splines).massMatrix().sum(), 1, 1e-13);
+    const MortarMapping back(splines, mesh);
+    EXPECT_NEAR(back.massMatrix().sum(), 1, 1e-13);
+    EXPECT_NEAR(back.report().coverage, 0.5, 1e-12);
+    EXPECT_GT(back.report().nUncovered, 0);
+}
+
+TEST(PatchMortar, facesOverTheSeamOfACylinderAreMappedOnce) {
+    // Facets turned against the seam, so that a row of them lies over it.
+    const NurbsSurface cylinder =
+        refine(geometry::cylinderPatch(Point::Zero(), 1, 1, 0, 2 * pi), 2, 2, 2, 2);
+    for (const int nAround : {24, 48}) {
+        Points vertices(2 * nAround, 3);
+        SurfaceMesh::Faces faces;
+        for (int i = 0; i < nAround; ++i) {
+            const double angle = 2 * pi * (i + 0.4) / nAround;
+            vertices.row(i) << std::cos(angle), std::sin(angle), 0;
+            vertices.row(nAround + i) << std::cos(angle), std::sin(angle), 1;
+            const int next = (i + 1) % nAround;
+            faces.push_back({i, next, nAround + next, nAround + i});
+        }
+        const SurfaceMesh mesh(vertices, faces, ValuesAt::vertices);
+        const MortarMapping mapping(mesh, onePatch(TrimmedPatch(cylinder)));
+        // Pieces are of polygons in parameter space that together fill it: only
+        // the rule of degree 4 on the rational Jacobian is left.
+        EXPECT_NEAR(mapping.massMatrix().sum(), 2 * pi, 1e-6);
+        EXPECT_NEAR(mapping.report().coverage, 1, 1e-6);
+        EXPECT_LT(mapping.report().rowSumError, 1e-12);
+        EXPECT_LT(mapping.report().forceSumError, 1e-12);
+    }
+}
+
+TEST(PatchMortar, theDualBasisIsRefused) {
+    MortarOptions options;
+    options.basis = MortarBasis::dual;
+    const SurfaceMesh mesh = flatMesh(3, 3, FaceKind::triangles, ValuesAt::vertices);
+    expectInputError([&] { MortarMapping(mesh, onePatch(TrimmedPatch(plate(2, 2))), options); },
+                     {"dual basis"});
+}
+
+TEST(SurfaceInterface, nearestElementEvaluatesTheSplinesExactly) {
+    for (const SurfaceInterface& splines :
+         {onePatch(TrimmedPatch(bentParameters(6, 4))), twoPatches()}) {
+        const Points to = flatMesh(8, 6, FaceKind::triangles, ValuesAt::vertices).coordinates();
+        const NearestElementMapping mapping(splines, to);
+        EXPECT_LT((mapping.apply(linearField(splines.coordinates())) - linearField(to)).norm(),
+                  1e-12);
+        expectForceAndMomentConserved(mapping, testForces(to.rows()), splines.coordinates(), to);
+    }
+}
+
+TEST(SurfaceInterface, aPointOverAHoleGetsTheRimOfTheHole) {
+    const SurfaceInterface splines = onePatch(holedPlate());
+    // Along y the rim is an arc of radius 0.23 around (0.9, 0.55).
+    const Location rim = splines.locate(Point(0.9, 0.60, 0));
+    EXPECT_TRUE(rim.converged);
+    EXPECT_NEAR(rim.gap, 0.18, 1e-12);
+    EXPECT_NEAR(splines.locate(Point(0.9, 0.9, 0)).gap, 0, 1e-14);
+}
+
+TEST(SurfaceInterface, refusesPatchesThatDoNotFitTheStructure) {
+    const TrimmedPatch patch(geometry::rectangle(Point::Zero(), 1, 1));
+    expectInputError([&] { SurfaceInterface({}, 4); }, {"no patch"});
+    expectInputError(
+        [&] {
+            SurfaceInterface({{patch, {0, 1, 2}, "roof"}}, 4);
+        },
+        {"roof", "3", "4"});
+    expectInputError(
+        [&] {
+            SurfaceInterface({{patch, {0, 1, 2, 7}, "roof"}}, 4);
+        },
+        {"roof", "control point 7", "has 4"});
+}
+
+} // namespace tokay::mapper

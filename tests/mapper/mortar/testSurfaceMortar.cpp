@@ -1,0 +1,220 @@
+#include "mapper/mortar/MortarMapping.hpp"
+
+#include "mapper/conservation.hpp"
+#include "mappingProperties.hpp"
+#include "sampleMeshes.hpp"
+#include <Eigen/Geometry>
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace tokay::mapper {
+
+namespace {
+
+void expectPatchTest(const SurfaceMesh& from, const SurfaceMesh& to, MortarBasis basis) {
+    MortarOptions options;
+    options.basis = basis;
+    const MortarMapping mapping(from, to, options);
+    const Points expected = linearField(to.coordinates());
+    const Points mapped = mapping.apply(linearField(from.coordinates()));
+    EXPECT_LT((mapped - expected).cwiseAbs().maxCoeff(), 1e-12 * expected.cwiseAbs().maxCoeff());
+    EXPECT_LT(mapping.report().rowSumError, 1e-12);
+    EXPECT_NEAR(mapping.report().coverage, 1, 1e-9);
+    EXPECT_EQ(mapping.report().nUncovered, 0);
+    expectForceAndMomentConserved(mapping, mapping.massMatrix() * testForces(to.nValues()),
+                                  from.coordinates(), to.coordinates());
+    expectTransposesEqual(mapping, from.nValues(), to.nValues());
+}
+
+/// Rotated, scaled and moved.
+SurfaceMesh placed(int n, int seed, double scale, double offset) {
+    const SurfaceMesh mesh = flatMesh(n, n, FaceKind::triangles, ValuesAt::vertices, 2, 1, seed);
+    const Eigen::Matrix3d rotation =
+        Eigen::AngleAxisd(1.1, Point(1, 2, -1).normalized()).toRotationMatrix();
+    const Points vertices = (scale * mesh.vertices() * rotation.transpose()).rowwise() +
+                            scale * offset * Eigen::RowVector3d(1, -0.3, 0.2);
+    SurfaceMesh::Faces faces;
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) {
+            const int a = i + (n + 1) * j, b = a + 1, c = b + n + 1, d = a + n + 1;
+            faces.push_back({a, b, c});
+            faces.push_back({a, c, d});
+        }
+    return SurfaceMesh(vertices, faces, ValuesAt::vertices);
+}
+
+/// Quarter of a cylinder of radius 1 and height 1, in facets.
+SurfaceMesh quarterCylinder(int nAround, int nAlong, ValuesAt valuesAt) {
+    Points vertices((nAround + 1) * (nAlong + 1), 3);
+    SurfaceMesh::Faces faces;
+    for (int j = 0; j <= nAlong; ++j)
+        for (int i = 0; i <= nAround; ++i) {
+            const double angle = std::acos(0.0) * i / nAround;
+            const int a = i + (nAround + 1) * j;
+            vertices.row(a) << std::cos(angle), std::sin(angle), static_cast<double>(j) / nAlong;
+            if (i < nAround && j < nAlong)
+                faces.push_back({a, a + 1, a + nAround + 2, a + nAround + 1});
+        }
+    return SurfaceMesh(vertices, faces, valuesAt);
+}
+
+} // namespace
+
+TEST(SurfaceMortar, passesThePatchTestBetweenMeshesThatDoNotMatch) {
+    for (const FaceKind kind :
+         {FaceKind::triangles, FaceKind::quadrilaterals, FaceKind::polygons}) {
+        const SurfaceMesh a = flatMesh(7, 5, kind, ValuesAt::vertices);
+        const SurfaceMesh b = flatMesh(4, 6, FaceKind::triangles, ValuesAt::vertices, 2, 1, 3);
+        expectPatchTest(a, b, MortarBasis::standard);
+        expectPatchTest(b, a, MortarBasis::standard);
+        expectPatchTest(a, b, MortarBasis::dual);
+    }
+}
+
+TEST(SurfaceMortar, passesThePatchTestBetweenCoarseAndFineMeshes) {
+    const SurfaceMesh coarse = flatMesh(1, 1, FaceKind::triangles, ValuesAt::vertices);
+    const SurfaceMesh fine = flatMesh(100, 100, FaceKind::quadrilaterals, ValuesAt::vertices);
+    expectPatchTest(coarse, fine, MortarBasis::standard);
+    expectPatchTest(fine, coarse, MortarBasis::standard);
+}
+
+TEST(SurfaceMortar, passesThePatchTestOnStretchedMeshes) {
+    const SurfaceMesh a = flatMesh(5, 6, FaceKind::triangles, ValuesAt::vertices, 1, 1e-3);
+    const SurfaceMesh b = flatMesh(8, 3, FaceKind::triangles, ValuesAt::vertices, 1, 1e-3, 4);
+    expectPatchTest(a, b, MortarBasis::standard);
+}
+
+TEST(SurfaceMortar, mapsConstantsBetweenVertexAndFaceValues) {
+    for (const ValuesAt fromAt : {ValuesAt::vertices, ValuesAt::faces})
+        for (const ValuesAt toAt : {ValuesAt::vertices, ValuesAt::faces}) {
+            const SurfaceMesh from = flatMesh(6, 5, FaceKind::quadrilaterals, fromAt);
+            const SurfaceMesh to = flatMesh(4, 7, FaceKind::polygons, toAt, 2, 1, 1);
+            const MortarMapping mapping(from, to);
+            EXPECT_LT(mapping.report().rowSumError, 1e-12);
+            EXPECT_LT(mapping.report().forceSumError, 1e-12);
+            expectTransposesEqual(mapping, from.nValues(), to.nValues());
+        }
+}
+
+TEST(SurfaceMortar, faceValuesOfALinearFieldAreItsMeansOverTheFaces) {
+    const SurfaceMesh from = flatMesh(6, 5, FaceKind::triangles, ValuesAt::vertices);
+    const SurfaceMesh to = flatMesh(4, 7, FaceKind::triangles, ValuesAt::faces, 2, 1, 1);
+    const Points mapped = MortarMapping(from, to).apply(linearField(from.coordinates()));
+    // The mean over a flat face is the value at its centroid.
+    EXPECT_LT((mapped - linearField(to.coordinates())).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(SurfaceMortar, scalePositionAndRotationDoNotMatter) {
+    const Points values = testForces(36);
+    const Points reference = MortarMapping(placed(5, 0, 1, 0), placed(4, 2, 1, 0)).apply(values);
+    for (const double scale : {1e-6, 1.0, 1e6})
+        for (const double offset : {0.0, 1e6}) {
+            const Points mapped =
+                MortarMapping(placed(5, 0, scale, offset), placed(4, 2, scale, offset))
+                    .apply(values);
+            // Coordinates of size 1e6 carry 1e-10 of the interface's size.
+            EXPECT_LT((mapped - reference).cwiseAbs().maxCoeff(), offset > 0 ? 1e-8 : 1e-12)
+                << scale << ", " << offset;
+        }
+}
+
+TEST(SurfaceMortar, keepsConstantsAndForcesBetweenFacetedSidesThatDoNotCoincide) {
+    const SurfaceMesh from = quarterCylinder(12, 5, ValuesAt::faces);
+    const SurfaceMesh to = quarterCylinder(7, 4, ValuesAt::vertices);
+    const MortarMapping mapping(from, to);
+    EXPECT_LT(mapping.report().rowSumError, 1e-12);
+    EXPECT_LT(mapping.report().forceSumError, 1e-12);
+    EXPECT_GT(mapping.report().coverage, 0.999);
+    EXPECT_LT(mapping.report().largestGap, 0.02); // sagitta of the coarser facets: 0.0063
+    expectTransposesEqual(mapping, from.nValues(), to.nValues());
+}
+
+TEST(SurfaceMortar, aWideGapLimitDoesNotChangeTheResult) {
+    const auto mappedWithin = [](const SurfaceMesh& from, const SurfaceMesh& to, double limit) {
+        MortarOptions options;
+        options.gapLimit.relative = limit;
+        const MortarMapping mapping(from, to, options);
+        EXPECT_EQ(mapping.report().nUncovered, 0);
+        EXPECT_GT(mapping.report().coverage, 0.999);
+        return Points(mapping.apply(testForces(from.nValues())));
+    };
+    const std::pair<SurfaceMesh, SurfaceMesh> pairs[] = {
+        {placed(9, 0, 1, 0), placed(7, 2, 1, 0)},
+        {quarterCylinder(15, 6, ValuesAt::faces), quarterCylinder(11, 5, ValuesAt::vertices)},
+        {quarterCylinder(11, 5, ValuesAt::vertices), quarterCylinder(40, 9, ValuesAt::vertices)}};
+    for (const auto& [from, to] : pairs) {
+        const Points narrow = mappedWithin(from, to, 0.01);
+        // The same pieces in the same order: equal to rounding of the sums.
+        for (const double limit : {0.1, 1.0})
+            EXPECT_LT((mappedWithin(from, to, limit) - narrow).cwiseAbs().maxCoeff(), 1e-13);
+    }
+}
+
+TEST(SurfaceMortar, aSourceHighAboveTheDestinationIsFoundAlongItsNormal) {
+    // Rotated, the normal lies across all axes.
+    const SurfaceMesh from = placed(9, 0, 1, 0), flat = placed(7, 2, 1, 0);
+    const Point normal = flat.triangle(0).unitNormal();
+    const double height = 0.09 * from.size();
+    SurfaceMesh::Faces faces;
+    for (int i = 0; i < flat.nTriangles(); ++i) {
+        const std::array<int, 3> corners = flat.cornerNumbers(i);
+        faces.push_back({corners[0], corners[1], corners[2]});
+    }
+    const SurfaceMesh above(flat.vertices().rowwise() + height * normal.transpose(), faces,
+                            ValuesAt::vertices);
+    MortarOptions options;
+    options.gapLimit.relative = 0.1;
+    const MortarMapping mapping(from, above, options), reference(from, flat, options);
+    EXPECT_NEAR(mapping.report().coverage, 1, 1e-12);
+    EXPECT_NEAR(mapping.report().largestGap, height, 1e-12);
+    const Points values = testForces(from.nValues());
+    EXPECT_LT((mapping.apply(values) - reference.apply(values)).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(SurfaceMortar, aThinBodysOtherSideIsNotMapped) {
+    // Two plates a hundredth apart, both within the gap limit of each other.
+    const auto twoPlates = [](int n, double value, Points* values) {
+        const SurfaceMesh plate = flatMesh(n, n, FaceKind::triangles, ValuesAt::vertices, 1, 1, n);
+        const int nVertices = plate.nValues();
+        Points vertices(2 * nVertices, 3);
+        vertices << plate.vertices(), plate.vertices().rowwise() + Eigen::RowVector3d(0, 0, 0.01);
+        SurfaceMesh::Faces faces;
+        for (int copy = 0; copy < 2; ++copy)
+            for (int j = 0; j < n; ++j)
+                for (int i = 0; i < n; ++i) {
+                    const int a = copy * nVertices + i + (n + 1) * j, c = a + n + 2;
+                    faces.push_back({a, a + 1, c});
+                    faces.push_back({a, c, a + n + 1});
+                }
+        if (values) {
+            *values = Points::Zero(2 * nVertices, 3);
+            values->bottomRows(nVertices).setConstant(value);
+        }
+        return SurfaceMesh(vertices, faces, ValuesAt::vertices);
+    };
+    Points values, expected;
+    const SurfaceMesh from = twoPlates(6, 3, &values), to = twoPlates(5, 3, &expected);
+    MortarOptions options;
+    options.gapLimit.relative = 0.05;
+    const MortarMapping mapping(from, to, options);
+    EXPECT_LT((mapping.apply(values) - expected).cwiseAbs().maxCoeff(), 1e-12);
+    EXPECT_NEAR(mapping.report().coverage, 1, 1e-9);
+}
+
+TEST(SurfaceMortar, aPartlyCoveredDestinationTakesConstantsAndCountsTheRest) {
+    const SurfaceMesh from = flatMesh(6, 6, FaceKind::triangles, ValuesAt::vertices, 1, 1);
+    const SurfaceMesh to = flatMesh(10, 5, FaceKind::triangles, ValuesAt::vertices, 2, 1);
+    const MortarMapping mapping(from, to);
+    EXPECT_NEAR(mapping.report().coverage, 0.5, 1e-12);
+    EXPECT_GT(mapping.report().nUncovered, 0);
+    const Eigen::VectorXd mapped = mapping.apply(Eigen::VectorXd::Ones(from.nValues()));
+    int nZero = 0;
+    for (const double value : mapped)
+        if (value == 0)
+            ++nZero;
+        else
+            EXPECT_NEAR(value, 1, 1e-9); // a sliver of a function is all it has
+    EXPECT_EQ(nZero, mapping.report().nUncovered);
+}
+
+} // namespace tokay::mapper

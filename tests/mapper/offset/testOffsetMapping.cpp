@@ -1,0 +1,185 @@
+#include "mapper/offset/OffsetMapping.hpp"
+
+#include "geometry/expectInputError.hpp"
+#include "geometry/primitives/primitives.hpp"
+#include "geometry/spline/refinement.hpp"
+#include "mapper/conservation.hpp"
+#include <Eigen/Geometry>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numeric>
+
+namespace tokay::mapper {
+
+namespace {
+
+std::vector<int> consecutive(int n) {
+    std::vector<int> numbers(n);
+    std::iota(numbers.begin(), numbers.end(), 0);
+    return numbers;
+}
+
+/// A rational, curved axis: an arc of radius 1.
+SplineInterface beam() {
+    const geometry::NurbsCurve axis = refine(geometry::arc(Point::Zero(), 1, 0, 1.2), 3, 6);
+    const int n = axis.nControlPoints();
+    return SplineInterface({{axis, consecutive(n), "beam"}}, n);
+}
+
+/// Both sides of a beam of thickness 0.04, and its end faces.
+Points aroundBeam() {
+    Points points(52, 3);
+    for (int i = 0; i < 24; ++i) {
+        const double angle = 1.2 * (i + 0.5) / 24;
+        points.row(2 * i) << 0.98 * std::cos(angle), 0.98 * std::sin(angle), 0;
+        points.row(2 * i + 1) << 1.02 * std::cos(angle), 1.02 * std::sin(angle), 0;
+    }
+    points.row(48) << 0.99, -0.003, 0; // beyond the end at (1, 0)
+    points.row(49) << 1.01, -0.003, 0;
+    points.row(50) << 1, 0, 0;
+    points.row(51) << std::cos(1.2), std::sin(1.2), 0;
+    return points;
+}
+
+SurfaceInterface shell() {
+    const geometry::NurbsSurface surface =
+        refine(geometry::cylinderPatch(Point::Zero(), 1, 1, 0.1, 1.4), 2, 3, 4, 3);
+    const int n = surface.nControlPoints();
+    return SurfaceInterface({{geometry::TrimmedPatch(surface), consecutive(n), "shell"}}, n);
+}
+
+Points aroundShell() {
+    Points points(60, 3);
+    for (int i = 0; i < 60; ++i) {
+        // Beyond the edges too: angles from 0.08 and heights from -0.02.
+        const double angle = 0.08 + 1.34 * std::fmod(0.37 * i, 1);
+        const double radius = 1 + 0.03 * std::sin(i);
+        points.row(i) << radius * std::cos(angle), radius * std::sin(angle),
+            -0.02 + 1.04 * std::fmod(0.61 * i, 1);
+    }
+    return points;
+}
+
+/// Large, smooth, without symmetry; in the plane for the beam.
+Points deformation(const Points& x, bool isPlane) {
+    Points u(x.rows(), 3);
+    for (Eigen::Index i = 0; i < x.rows(); ++i)
+        u.row(i) << 0.3 * std::sin(2 * x(i, 1)), 0.4 * x(i, 0) * x(i, 0) + 0.1 * x(i, 2),
+            isPlane ? 0 : 0.2 * std::cos(3 * x(i, 0));
+    return u;
+}
+
+Points forcesOn(Eigen::Index n, bool isPlane) {
+    Points forces = testForces(n);
+    if (isPlane)
+        forces.col(2).setZero();
+    return forces;
+}
+
+Point moment(const Points& x, const Points& f) {
+    Point sum = Point::Zero();
+    for (Eigen::Index i = 0; i < x.rows(); ++i)
+        sum += Point(x.row(i)).cross(Point(f.row(i)));
+    return sum;
+}
+
+struct Scene {
+    Points controlPoints, points;
+    OffsetMapping mapping;
+    bool isPlane;
+};
+
+std::vector<Scene> scenes() {
+    const SplineInterface axis = beam();
+    const SurfaceInterface middle = shell();
+    return {{axis.coordinates(), aroundBeam(), OffsetMapping(axis, aroundBeam()), true},
+            {middle.coordinates(), aroundShell(), OffsetMapping(middle, aroundShell()), false}};
+}
+
+} // namespace
+
+TEST(OffsetMapping, findsTheDistancesWithTheirSides) {
+    const Eigen::VectorXd offsets = OffsetMapping(beam(), aroundBeam()).offsets();
+    for (int i = 0; i < 24; ++i) {
+        // Left of a counter-clockwise arc lies its centre.
+        EXPECT_NEAR(offsets[2 * i], 0.02, 1e-13);
+        EXPECT_NEAR(offsets[2 * i + 1], -0.02, 1e-13);
+    }
+    EXPECT_NEAR(offsets[48], 0.01, 1e-13);
+    EXPECT_NEAR(offsets[50], 0, 1e-14);
+}
+
+TEST(OffsetMapping, pointsFollowFiniteRigidMotionsExactly) {
+    for (const Scene& scene : scenes()) {
+        const Point axis =
+            scene.isPlane ? Point(Point::UnitZ()) : Point(Point(1, -2, 3).normalized());
+        const Eigen::Matrix3d rotation = Eigen::AngleAxisd(2.1, axis).toRotationMatrix();
+        const auto displacement = [&](const Points& x) -> Points {
+            return (x * rotation.transpose() - x).rowwise() + Eigen::RowVector3d(3, -1, 0);
+        };
+        EXPECT_LT(
+            (scene.mapping.moved(displacement(scene.controlPoints)) - displacement(scene.points))
+                .cwiseAbs()
+                .maxCoeff(),
+            1e-13);
+    }
+}
+
+TEST(OffsetMapping, theVariationIsTheDerivativeOfTheMotion) {
+    for (const Scene& scene : scenes()) {
+        const Points state = deformation(scene.controlPoints, scene.isPlane);
+        const Points direction = forcesOn(state.rows(), scene.isPlane);
+        const double h = 1e-6; // error h^2 and 1e-16 / h
+        const Points difference = (scene.mapping.moved(state + h * direction) -
+                                   scene.mapping.moved(state - h * direction)) /
+                                  (2 * h);
+        const Points exact = scene.mapping.variation(state, direction);
+        EXPECT_LT((difference - exact).norm(), 1e-8 * exact.norm());
+    }
+}
+
+TEST(OffsetMapping, virtualWorkIsConservedInAnyState) {
+    for (const Scene& scene : scenes())
+        for (const double size : {0.0, 1.0}) {
+            const Points state = size * deformation(scene.controlPoints, scene.isPlane);
+            const Points variation = testForces(state.rows());
+            const Points forces = testForces(scene.points.rows()).array().cos();
+            const Points moved = scene.mapping.variation(state, variation);
+            const Points mapped = scene.mapping.forces(state, forces);
+            EXPECT_NEAR(moved.cwiseProduct(forces).sum(), variation.cwiseProduct(mapped).sum(),
+                        1e-12 * moved.norm() * forces.norm());
+        }
+}
+
+TEST(OffsetMapping, forceAndMomentArriveInTheDeformedState) {
+    for (const Scene& scene : scenes()) {
+        const Points state = deformation(scene.controlPoints, scene.isPlane);
+        const Points forces = forcesOn(scene.points.rows(), scene.isPlane);
+        const Points mapped = scene.mapping.forces(state, forces);
+        const Points positions = scene.points + scene.mapping.moved(state);
+        const double total = forces.rowwise().norm().sum();
+        EXPECT_LT((mapped.colwise().sum() - forces.colwise().sum()).norm(), 1e-12 * total);
+        EXPECT_LT((moment(scene.controlPoints + state, mapped) - moment(positions, forces)).norm(),
+                  1e-12 * total);
+    }
+}
+
+TEST(OffsetMapping, reportsConservationAndRefusesPointsTooFarAway) {
+    for (const Scene& scene : scenes()) {
+        EXPECT_LT(scene.mapping.report().rowSumError, 1e-13);
+        EXPECT_LT(scene.mapping.report().forceSumError, 1e-13);
+        EXPECT_LT(scene.mapping.report().momentError, 1e-13);
+    }
+    EXPECT_NEAR(OffsetMapping(beam(), aroundBeam()).report().largestGap, 0.02, 1e-12);
+    Points far = aroundBeam();
+    far(3, 0) += 1;
+    expectInputError([&] { OffsetMapping(beam(), far); }, {"point 3", "limit is 0.1"});
+}
+
+TEST(OffsetMapping, refusesABeamOutOfItsPlane) {
+    const geometry::NurbsCurve axis = geometry::line(Point::Zero(), Point(1, 0, 0.2));
+    const SplineInterface interface({{axis, {0, 1}, "mast"}}, 2);
+    expectInputError([&] { OffsetMapping(interface, Points::Zero(1, 3)); }, {"mast", "0.2"});
+}
+
+} // namespace tokay::mapper
