@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <cstdint>
@@ -24,14 +25,18 @@ inline std::vector<double> numbers(const std::string& type, const char* bytes) {
     std::uint64_t size = 0;
     std::memcpy(&size, bytes, sizeof size);
     bytes += sizeof size;
-    if (type == "Float64")
+    if (type == "Float64") {
         return numbers<double>(bytes, size);
-    if (type == "Int32")
+    }
+    if (type == "Int32") {
         return numbers<std::int32_t>(bytes, size);
-    if (type == "Int64")
+    }
+    if (type == "Int64") {
         return numbers<std::int64_t>(bytes, size);
-    if (type == "UInt8")
+    }
+    if (type == "UInt8") {
         return numbers<std::uint8_t>(bytes, size);
+    }
     throw std::runtime_error("no such type: " + type);
 }
 
@@ -55,8 +60,9 @@ inline std::map<std::string, std::vector<double>> vtuArrays(const std::string& p
     for (std::size_t at = text.find("<DataArray"); at < data;
          at = text.find("<DataArray", at + 1)) {
         const std::string element = text.substr(at, text.find('>', at) - at);
-        if (element.find("format=\"appended\"") == std::string::npos)
+        if (element.find("format=\"appended\"") == std::string::npos) {
             continue;
+        }
         arrays[detail::attribute(element, "Name")] =
             detail::numbers(detail::attribute(element, "type"),
                             text.data() + data + std::stoul(detail::attribute(element, "offset")));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Evaluations of the fluid a step: methods x model problems x tolerances, with
 // exact fluids, with white noise and with fluids that fall short of their
 // answers. Usage: couplingMethods RESULTS.csv [quick]

@@ -1,12 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A disc with a hole, biquadratic: what the two rules for cut elements cost and
 // how accurate they are.
-#include "geometry/trimming/PatchQuadrature.hpp"
-#include "geometry/spline/curveParts.hpp"
 #include "geometry/primitives/primitives.hpp"
+#include "geometry/spline/curveParts.hpp"
 #include "geometry/spline/refinement.hpp"
+#include "geometry/trimming/PatchQuadrature.hpp"
+
+#include <fmt/format.h>
+
 #include <chrono>
 #include <cmath>
-#include <fmt/format.h>
 #include <fstream>
 
 namespace {
@@ -35,12 +38,13 @@ Result measured(const TrimmedPatch& patch, const QuadratureOptions& options) {
     const PatchQuadrature quadrature(patch, options);
     Result result;
     double area = 0, moment = 0;
-    for (int element = 0; element < patch.nElements(); ++element)
+    for (int element = 0; element < patch.nElements(); ++element) {
         for (const ParameterPoint& point : quadrature.points(element)) {
             ++result.nPoints;
             area += point.weight;
             moment += point.weight * point.xi * point.xi;
         }
+    }
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
     result.seconds = time.count();
     const auto secondMoment = [](double x, double r) { return pi * r * r * (r * r / 4 + x * x); };
@@ -78,6 +82,7 @@ int main(int argc, char** argv) {
         }
     }
     fmt::print("{}", table);
-    if (argc > 1)
+    if (argc > 1) {
         std::ofstream(argv[1]) << table;
+    }
 }

@@ -1,14 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "Table.hpp"
 
-#include <cmath>
 #include <fmt/format.h>
+
+#include <cmath>
 #include <stdexcept>
 
 namespace tokay::benchmark {
 
 Table::Table(const std::string& path) : csv_(path) {
-    if (!csv_)
+    if (!csv_) {
         throw std::runtime_error("cannot write " + path);
+    }
     csv_ << "pair,operator,n,nFrom,nTo,build_s,apply_s,memory_MB,smoothError,smoothLargestError,"
             "shockError,shockOvershoot,forceSumError,momentError\n";
     fmt::print("{:<26} {:<20} {:>5} {:>6} {:>6} {:>8} {:>8} {:>7} {:>8} {:>8} {:>8} {:>8} {:>8} "
@@ -41,13 +44,15 @@ bool Table::printOrders() const {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         const Row* before = nullptr;
         bool isLast = true;
-        for (std::size_t j = 0; j < rows_.size(); ++j)
+        for (std::size_t j = 0; j < rows_.size(); ++j) {
             if (rows_[j].pair == rows_[i].pair && rows_[j].method == rows_[i].method) {
                 before = j < i ? &rows_[j] : before;
                 isLast = isLast && j <= i;
             }
-        if (!isLast || !before)
+        }
+        if (!isLast || !before) {
             continue;
+        }
         const Row& row = rows_[i];
         const double order = std::log(before->smoothMean / row.smoothMean) /
                              std::log(static_cast<double>(row.n) / before->n);

@@ -1,11 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A cylinder and a fluid mesh of flat faces on it: what consistent and what
 // conservative mapping of a pressure lose. Usage: curvedInterface RESULTS.csv
 #include "geometry/primitives/primitives.hpp"
 #include "geometry/spline/refinement.hpp"
 #include "mapper/mortar/MortarMapping.hpp"
 #include "mapper/nearest/NearestElementMapping.hpp"
-#include <cmath>
+
 #include <fmt/format.h>
+
+#include <cmath>
 #include <fstream>
 #include <numeric>
 
@@ -32,21 +35,24 @@ mapper::SurfaceInterface structure(int n) {
 mapper::SurfaceMesh fluid(int n) {
     Points vertices((n + 1) * (n + 1), 3);
     mapper::SurfaceMesh::Faces faces;
-    for (int j = 0; j <= n; ++j)
+    for (int j = 0; j <= n; ++j) {
         for (int i = 0; i <= n; ++i) {
             const int a = i + (n + 1) * j;
             const double angle = quarterTurn * i / n;
             vertices.row(a) << std::cos(angle), std::sin(angle), static_cast<double>(j) / n;
-            if (i < n && j < n)
+            if (i < n && j < n) {
                 faces.push_back({a, a + 1, a + n + 2, a + n + 1});
+            }
         }
+    }
     return mapper::SurfaceMesh(vertices, faces, mapper::ValuesAt::faces);
 }
 
 VectorXd areas(const mapper::SurfaceMesh& mesh) {
     VectorXd areas = VectorXd::Zero(mesh.nFaces());
-    for (int i = 0; i < mesh.nTriangles(); ++i)
+    for (int i = 0; i < mesh.nTriangles(); ++i) {
         areas[mesh.faceOf(i)] += mesh.triangle(i).area();
+    }
     return areas;
 }
 

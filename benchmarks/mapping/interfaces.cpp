@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "interfaces.hpp"
 
-#include "geometry/spline/curveParts.hpp"
 #include "geometry/primitives/primitives.hpp"
+#include "geometry/spline/curveParts.hpp"
 #include "geometry/spline/refinement.hpp"
+
 #include <cmath>
 #include <numeric>
 
@@ -27,11 +29,12 @@ double uneven(int i, int n, double phase) {
 
 Points grid(int n, int seed) {
     Points vertices((n + 1) * (n + 1), 3);
-    for (int j = 0; j <= n; ++j)
+    for (int j = 0; j <= n; ++j) {
         for (int i = 0; i <= n; ++i) {
             const double x = uneven(i, n, 3.0 * j + seed), y = uneven(j, n, 2.0 * i - seed);
             vertices.row(i + (n + 1) * j) << x, y, height(x, y);
         }
+    }
     return vertices;
 }
 
@@ -49,8 +52,9 @@ mapper::CurveInterface lines(int n, int seed, mapper::ValuesAt valuesAt) {
     for (int i = 0; i <= n; ++i) {
         const double x = uneven(i, n, seed);
         vertices.row(i) << x, bend(x), 0;
-        if (i > 0)
+        if (i > 0) {
             elements.push_back({i - 1, i});
+        }
     }
     return mapper::lineMesh(vertices, elements, valuesAt);
 }
@@ -67,22 +71,24 @@ mapper::SplineInterface curve(int degree, int nSpans) {
 
 mapper::SurfaceMesh quadrilaterals(int n, int seed, mapper::ValuesAt valuesAt) {
     mapper::SurfaceMesh::Faces faces;
-    for (int j = 0; j < n; ++j)
+    for (int j = 0; j < n; ++j) {
         for (int i = 0; i < n; ++i) {
             const int a = i + (n + 1) * j;
             faces.push_back({a, a + 1, a + n + 2, a + n + 1});
         }
+    }
     return mapper::SurfaceMesh(grid(n, seed), faces, valuesAt);
 }
 
 mapper::SurfaceMesh triangles(int n, int seed, mapper::ValuesAt valuesAt) {
     mapper::SurfaceMesh::Faces faces;
-    for (int j = 0; j < n; ++j)
+    for (int j = 0; j < n; ++j) {
         for (int i = 0; i < n; ++i) {
             const int a = i + (n + 1) * j;
             faces.push_back({a, a + 1, a + n + 2});
             faces.push_back({a, a + n + 2, a + n + 1});
         }
+    }
     return mapper::SurfaceMesh(grid(n, seed), faces, valuesAt);
 }
 

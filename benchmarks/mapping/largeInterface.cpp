@@ -1,16 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A large fluid interface onto a trimmed patch: what each operator costs, and
 // whether mortar keeps its goals. Usage: largeInterface RESULTS.csv [quick]
-#include "geometry/spline/curveParts.hpp"
 #include "geometry/primitives/primitives.hpp"
+#include "geometry/spline/curveParts.hpp"
 #include "geometry/spline/refinement.hpp"
+#include "mapper/Stopwatch.hpp"
 #include "mapper/mortar/MortarMapping.hpp"
 #include "mapper/nearest/NearestElementMapping.hpp"
-#include "mapper/Stopwatch.hpp"
-#include <cmath>
+
 #include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <cmath>
 #include <fstream>
 #include <numeric>
-#include <sys/resource.h>
 
 namespace {
 
@@ -39,8 +42,9 @@ mapper::SurfaceInterface trimmedPatch() {
     geometry::NurbsSurface surface =
         refine(geometry::rectangle(Point::Zero(), 1, 1), 2, 2, 100, 100);
     Points points = surface.controlPoints();
-    for (Eigen::Index i = 0; i < points.rows(); ++i)
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
         points(i, 2) = height(points(i, 0), points(i, 1));
+    }
     surface = surface.withControlPoints(points);
     const geometry::NurbsCurve circle = geometry::arc(Point(0.47, 0.52, 0), 0.2, 0.1, 0.1 + 2 * pi);
     geometry::TrimmedPatch patch(
@@ -56,22 +60,25 @@ mapper::SurfaceInterface trimmedPatch() {
 mapper::SurfaceMesh fluidMesh(int n) {
     Points vertices((n + 1) * (n + 1), 3);
     mapper::SurfaceMesh::Faces faces;
-    for (int j = 0; j <= n; ++j)
+    for (int j = 0; j <= n; ++j) {
         for (int i = 0; i <= n; ++i) {
             const int a = i + (n + 1) * j;
             const double x = (i + (i == 0 || i == n ? 0 : 0.2 * std::sin(3.0 * i + j))) / n;
             const double y = (j + (j == 0 || j == n ? 0 : 0.2 * std::cos(2.0 * i - j))) / n;
             vertices.row(a) << x, y, height(x, y);
-            if (i < n && j < n)
+            if (i < n && j < n) {
                 faces.push_back({a, a + 1, a + n + 2, a + n + 1});
+            }
         }
+    }
     return mapper::SurfaceMesh(vertices, faces, mapper::ValuesAt::faces);
 }
 
 Eigen::VectorXd field(const Points& x) {
     Eigen::VectorXd values(x.rows());
-    for (Eigen::Index i = 0; i < x.rows(); ++i)
+    for (Eigen::Index i = 0; i < x.rows(); ++i) {
         values[i] = smooth(x.row(i));
+    }
     return values;
 }
 
@@ -96,8 +103,9 @@ Row nearestElement(const mapper::SurfaceMesh& mesh, const mapper::SurfaceInterfa
     int n = 0;
     for (Eigen::Index i = 0; i < mapped.size(); ++i) {
         const Point x = mesh.vertices().row(i);
-        if (std::hypot(x[0] - 0.47, x[1] - 0.52) < 0.2)
+        if (std::hypot(x[0] - 0.47, x[1] - 0.52) < 0.2) {
             continue;
+        }
         const double error = std::abs(mapped[i] - smooth(x));
         squared += error * error;
         largest = std::max(largest, error);
@@ -120,8 +128,9 @@ Row mortar(const mapper::SurfaceMesh& mesh, const mapper::SurfaceInterface& spli
     const geometry::TrimmedPatch& patch = splines.piece(0).patch;
     for (int element = 0; element < patch.nElements(); ++element) {
         const Eigen::Vector2d centre = patch.elementBox(element).centre();
-        if (patch.state(element) != geometry::ElementState::full)
+        if (patch.state(element) != geometry::ElementState::full) {
             continue;
+        }
         const mapper::Functions f = splines.functions(0, centre[0], centre[1]);
         const double error = std::abs(f.weights.dot(mapped(f.values)) -
                                       smooth(patch.basis().point(centre[0], centre[1])));
@@ -144,8 +153,9 @@ struct Comparison {
 
 /// Goals for the full size of a million faces; "" for smaller ones.
 std::string verdict(const Row& row, const Comparison& comparison) {
-    if (row.nFaces < 1000000)
+    if (row.nFaces < 1000000) {
         return "";
+    }
     const bool good = row.buildSeconds < 60 && row.gigabytes < 3 && comparison.growth <= 1.15 &&
                       comparison.ratio <= 10;
     return good ? "ok" : "MISSED";

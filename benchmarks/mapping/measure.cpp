@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "interfaces.hpp"
-#include "mapper/nearest/NearestElementMapping.hpp"
-#include "mapper/interface/PointCloud.hpp"
-#include "mapper/rbf/RbfMapping.hpp"
 #include "mapper/Stopwatch.hpp"
+#include "mapper/interface/PointCloud.hpp"
+#include "mapper/nearest/NearestElementMapping.hpp"
+#include "mapper/rbf/RbfMapping.hpp"
 #include "pairs.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -55,10 +57,12 @@ Method mortar(const std::string& name, mapper::MortarBasis basis) {
 
 std::vector<Method> methodsFor(const Pair& pair) {
     std::vector<Method> methods = {mortar("mortar", mapper::MortarBasis::standard)};
-    if (pair.hasDual)
+    if (pair.hasDual) {
         methods.push_back(mortar("mortarDual", mapper::MortarBasis::dual));
-    if (pair.onlyMortar)
+    }
+    if (pair.onlyMortar) {
         return methods;
+    }
     methods.push_back({"nearestNeighbour", [](const Setup& setup) {
                            return std::make_unique<mapper::NearestElementMapping>(
                                mapper::PointCloud(setup.from->coordinates()), setup.samples,
@@ -89,8 +93,9 @@ Errors errorsOf(const VectorXd& samples, const Setup& setup, Field field, bool l
     int n = 0;
     for (Eigen::Index i = 0; i < samples.size(); ++i) {
         const Point x = setup.samples.row(i);
-        if (leavesOutHole && isInHole(x))
+        if (leavesOutHole && isInHole(x)) {
             continue;
+        }
         const double error = std::abs(samples[i] - valueOf(field, x));
         squared += error * error;
         largest = std::max(largest, error);
@@ -107,8 +112,9 @@ double overshootOf(const VectorXd& samples) {
 double applySeconds(const Mapping& mapping, const VectorXd& values) {
     constexpr int nTimes = 5;
     const mapper::Stopwatch watch;
-    for (int i = 0; i < nTimes; ++i)
+    for (int i = 0; i < nTimes; ++i) {
         mapping.apply(values);
+    }
     return watch.seconds() / nTimes;
 }
 
@@ -146,10 +152,12 @@ Row rowOf(const Pair& pair, int n, const Method& method, const Setup& setup) {
 void measure(const Pair& pair, int n, Table& table) {
     const Setup setup = pair.make(n);
     for (const Method& method : methodsFor(pair)) {
-        if (setup.hasSplinesFrom && !method.takesSplines)
+        if (setup.hasSplinesFrom && !method.takesSplines) {
             continue;
-        if (method.name == "rbfThinPlate" && setup.from->nValues() > mostThinPlatePoints)
+        }
+        if (method.name == "rbfThinPlate" && setup.from->nValues() > mostThinPlatePoints) {
             continue;
+        }
         table.add(rowOf(pair, n, method, setup));
     }
 }

@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "pairs.hpp"
 
 #include "geometry/trimming/elementQuadrature.hpp"
 #include "interfaces.hpp"
 #include "tokayMap/splineProjection.hpp"
+
 #include <cmath>
 
 namespace tokay::benchmark {
@@ -19,8 +21,9 @@ using mapper::ValuesAt;
 
 VectorXd atPoints(Field field, const Eigen::MatrixX3d& points) {
     VectorXd values(points.rows());
-    for (Eigen::Index i = 0; i < points.rows(); ++i)
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
         values[i] = valueOf(field, points.row(i));
+    }
     return values;
 }
 
@@ -41,13 +44,15 @@ struct Samples {
 
     void enter(Setup& setup) const {
         setup.samples.resize(static_cast<Eigen::Index>(points.size()), 3);
-        for (std::size_t i = 0; i < points.size(); ++i)
+        for (std::size_t i = 0; i < points.size(); ++i) {
             setup.samples.row(static_cast<Eigen::Index>(i)) = points[i];
+        }
         setup.sampled = [functions = functions](const VectorXd& values) {
             VectorXd samples(functions.size());
-            for (std::size_t i = 0; i < functions.size(); ++i)
+            for (std::size_t i = 0; i < functions.size(); ++i) {
                 samples[static_cast<Eigen::Index>(i)] =
                     functions[i].weights.dot(values(functions[i].values));
+            }
             return samples;
         };
     }
@@ -60,23 +65,25 @@ void enterSamples(const mapper::Discretisation& mesh, Setup& setup) {
 void enterSamples(const SplineInterface& interface, Setup& setup) {
     Samples samples;
     const mapper::InterfaceCurve& curve = interface.curve(0);
-    for (std::size_t e = 0; e + 1 < curve.breakpoints().size(); ++e)
+    for (std::size_t e = 0; e + 1 < curve.breakpoints().size(); ++e) {
         for (const double t : {0.05, 0.3, 0.5, 0.7, 0.95}) {
             const double first = curve.breakpoints()[e], last = curve.breakpoints()[e + 1];
             const double xi = first + t * (last - first);
             samples.points.push_back(curve.derivatives(xi, 0).row(0));
             samples.functions.push_back(curve.functions(xi));
         }
+    }
     samples.enter(setup);
 }
 void enterSamples(const SurfaceInterface& splines, Setup& setup) {
     Samples samples;
     const geometry::TrimmedPatch& patch = splines.piece(0).patch;
-    for (int element = 0; element < patch.nElements(); ++element)
+    for (int element = 0; element < patch.nElements(); ++element) {
         for (const auto& at : elementQuadrature(patch, element, 4)) {
             samples.points.push_back(patch.basis().point(at.xi, at.eta));
             samples.functions.push_back(splines.functions(0, at.xi, at.eta));
         }
+    }
     samples.enter(setup);
 }
 
@@ -85,8 +92,9 @@ Setup setup(From from, To to) {
     Setup made;
     const auto source = std::make_shared<From>(std::move(from));
     const auto destination = std::make_shared<To>(std::move(to));
-    for (const Field field : {smooth, shock})
+    for (const Field field : {smooth, shock}) {
         made.values[field] = valuesOf(*source, field);
+    }
     made.hasSplinesFrom =
         std::is_same_v<From, SplineInterface> || std::is_same_v<From, SurfaceInterface>;
     made.from = source;
@@ -172,15 +180,17 @@ std::vector<Pair> surfacePairs() {
 } // namespace
 
 double valueOf(Field field, const Point& x) {
-    if (field == smooth)
+    if (field == smooth) {
         return std::sin(4 * x[0]) * std::cos(3 * x[1]);
+    }
     return x[0] + 0.3 * x[1] > 0.61 ? 1 : 0;
 }
 
 std::vector<Pair> pairs() {
     std::vector<Pair> all = curvePairs();
-    for (Pair& pair : surfacePairs())
+    for (Pair& pair : surfacePairs()) {
         all.push_back(std::move(pair));
+    }
     return all;
 }
 

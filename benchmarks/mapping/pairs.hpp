@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "Table.hpp"
 #include "mapper/mortar/MortarMapping.hpp"
+
 #include <functional>
 #include <map>
 #include <memory>

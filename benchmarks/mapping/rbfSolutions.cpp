@@ -1,11 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Radial basis functions solved globally and by the partition of unity: seconds, memory
 // and error of a smooth field, by kernel and numbers of points. The bounds of
 // mapper::RbfSolution::automatic follow from it. Usage: rbfSolutions RESULTS.csv [quick]
 #include "interfaces.hpp"
 #include "mapper/rbf/RbfMapping.hpp"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <fstream>
 
 namespace tokay::benchmark {
@@ -66,13 +69,18 @@ Points surface(int n, int seed) {
 
 std::vector<Clouds> allClouds(bool quick) {
     std::vector<Clouds> all;
-    for (const int n : {50, 100, 200, 400, 800})
-        for (const int nTo : {n / 2, 20 * n})
+    for (const int n : {50, 100, 200, 400, 800}) {
+        for (const int nTo : {n / 2, 20 * n}) {
             all.push_back({"curve", lines(n, 0).coordinates(), lines(nTo - 1, 1).coordinates()});
-    for (const int n : {7, 10, 13, 16, 20, 28, 40})
-        for (const int ratio : {1, 5})
-            if (!quick || n < 20)
+        }
+    }
+    for (const int n : {7, 10, 13, 16, 20, 28, 40}) {
+        for (const int ratio : {1, 5}) {
+            if (!quick || n < 20) {
                 all.push_back({"surface", surface(n, 0), surface(ratio * n - 1, 1)});
+            }
+        }
+    }
     return all;
 }
 
@@ -91,9 +99,11 @@ int main(int argc, char** argv) {
                    "shape", "kernel", "from", "to", "seconds", "MB", "error", "", "global", "parts",
                    "global", "parts", "global", "parts");
         for (const RadialKernel kernel :
-             {RadialKernel::thinPlate, RadialKernel::compactC2, RadialKernel::compactC6})
-            for (const Clouds& clouds : allClouds(argc > 2))
+             {RadialKernel::thinPlate, RadialKernel::compactC2, RadialKernel::compactC6}) {
+            for (const Clouds& clouds : allClouds(argc > 2)) {
                 measure(clouds, kernel, csv);
+            }
+        }
     } catch (const std::exception& error) {
         fmt::print(stderr, "{}\n", error.what());
         return 1;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Seconds of a shell's tangent per Gauss point, by degree, strains and threads, beside
 // the rate of a dense product; on the wall, and of the processors, which others
 // that use them disturb less. The limit is for one thread.

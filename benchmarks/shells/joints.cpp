@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Ways to join patches and to hold trimmed edges: the roof in parts against the whole
 // one, ratios of stiffness and density of two patches over 12 decades, thin plates, a
 // balloon of two membranes, and what each costs. Their orders of convergence: orders.cpp.

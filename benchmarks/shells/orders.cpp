@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Orders of convergence on a manufactured trimmed problem: the clamped disc that is cut
 // out of a square patch, or of two that do not match, by method and degree.
 // Usage: shellOrders FILE METHOD|all ELEMENTS..., elements a side of the square

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "scenes.hpp"
 
-#include "geometry/projection/SurfaceProjector.hpp"
 #include "geometry/bezier/bezierPieces.hpp"
 #include "geometry/primitives/primitives.hpp"
+#include "geometry/projection/SurfaceProjector.hpp"
 #include "geometry/spline/refinement.hpp"
 
 #include <fmt/format.h>

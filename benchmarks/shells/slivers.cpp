@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A cantilevered plate whose free edge leaves but a fraction of the last elements, with
 // slivers left alone or tied to whole elements: condition of its stiffness, as it is and
 // scaled by the diagonal, and the deflection of the edge against that of whole elements.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Published shells: value, reference, error, unknowns, seconds of the processor.
 #include "common/errors.hpp"
 #include "igaStructure/timeIntegration/TimeIntegrator.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the rules that integrate cut elements cost and bring in a trimmed plate whose exact
 // solution is known: the clamped disc that is cut out of a square patch. Points of the
 // cut elements, seconds of the processor for the points and for model and solution, and
@@ -5,9 +6,9 @@
 // Usage: cutRules FILE [quick]
 #include "common/errors.hpp"
 #include "exampleShell.hpp"
-#include "geometry/trimming/PatchQuadrature.hpp"
 #include "geometry/projection/SurfaceProjector.hpp"
 #include "geometry/quadrature/gaussLegendre.hpp"
+#include "geometry/trimming/PatchQuadrature.hpp"
 #include "trimmedDisc.hpp"
 
 #include <fmt/format.h>

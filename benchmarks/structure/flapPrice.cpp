@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The same flap (0.1 x 1 m, clamped at its foot, nothing moves across its plane)
 // under a uniform dead traction, as beam, shell, planeStrain and solid. Half of the
 // traction acts on either side, so that all theories have it on their axis.
@@ -6,8 +7,8 @@
 // of model and solution.
 #include "common/errors.hpp"
 #include "igaStructure/case/makeBody.hpp"
-#include "igaStructure/caseFile/CaseSection.hpp"
 #include "igaStructure/case/readCase.hpp"
+#include "igaStructure/caseFile/CaseSection.hpp"
 #include "igaStructure/timeIntegration/TimeIntegrator.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a factored tangent that is kept (newton.reuseContraction) saves, and what it
 // changes: factorisations, iterations, seconds of the processor and the difference of
 // the last displacement, for static and dynamic scenes, and for steps that are solved

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Seconds of one Newton iteration of a nonlinear shell against its unknowns: assembly
 // of the tangent, factorisation (symbolic once, numeric each iteration) and solution,
 // on one core and on all, with the exponents of their growth.
 #include "common/errors.hpp"
 #include "geometry/primitives/primitives.hpp"
-#include "igaStructure/linearAlgebra/LinearSolver.hpp"
 #include "igaStructure/kinematics/shell/Shell.hpp"
+#include "igaStructure/linearAlgebra/LinearSolver.hpp"
 #include "timing.hpp"
 
 #include <Eigen/QR>

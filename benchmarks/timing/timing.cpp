@@ -1,7 +1,7 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "timing.hpp"
 
 #include <Eigen/Core>
-
 #include <dlfcn.h>
 
 extern "C" void dgemm_(const char*, const char*, const int*, const int*, const int*, const double*,

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "channel/Address.hpp"
 
 #include "common/errors.hpp"
 
-#include <algorithm>
 #include <sys/un.h>
+
+#include <algorithm>
 
 namespace tokay::coupling {
 namespace {

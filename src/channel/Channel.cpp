@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "channel/Channel.hpp"
 
-#include "common/errors.hpp"
 #include "channel/Address.hpp"
 #include "channel/encoding.hpp"
 #include "channel/waitReporting.hpp"
+#include "common/errors.hpp"
 
 #include <asio/connect.hpp>
 #include <asio/generic/stream_protocol.hpp>
@@ -11,11 +12,11 @@
 #include <asio/local/stream_protocol.hpp>
 #include <asio/read.hpp>
 #include <asio/write.hpp>
-
 #include <fcntl.h>
 #include <netinet/tcp.h>
-#include <optional>
 #include <sys/socket.h>
+
+#include <optional>
 
 namespace tokay::coupling {
 

@@ -1,18 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "channel/Listener.hpp"
 
-#include "common/errors.hpp"
 #include "channel/Address.hpp"
 #include "channel/waitReporting.hpp"
+#include "common/errors.hpp"
 
 #include <asio/basic_socket_acceptor.hpp>
 #include <asio/generic/stream_protocol.hpp>
 #include <asio/ip/tcp.hpp>
 #include <asio/local/datagram_protocol.hpp>
 #include <asio/local/stream_protocol.hpp>
-
-#include <optional>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include <optional>
 
 namespace tokay::coupling {
 

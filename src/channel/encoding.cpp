@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "channel/encoding.hpp"
 
-#include "common/errors.hpp"
 #include "channel/ByteReader.hpp"
 #include "channel/ByteWriter.hpp"
+#include "common/errors.hpp"
 
 #include <algorithm>
 #include <tuple>

@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/JsonObject.hpp"
 
-#include <cmath>
 #include <fmt/format.h>
+
+#include <cmath>
 
 namespace tokay {
 
@@ -10,20 +12,22 @@ namespace {
 std::string quoted(const std::string& text) {
     std::string result = "\"";
     for (const char c : text) {
-        if (c == '"' || c == '\\')
+        if (c == '"' || c == '\\') {
             result += std::string("\\") + c;
-        else if (static_cast<unsigned char>(c) < 0x20)
+        } else if (static_cast<unsigned char>(c) < 0x20) {
             result += fmt::format("\\u{:04x}", static_cast<int>(c));
-        else
+        } else {
             result += c;
+        }
     }
     return result + '"';
 }
 
 std::string indented(const std::string& text) {
     std::string result;
-    for (const char c : text)
+    for (const char c : text) {
         result += c == '\n' ? std::string("\n  ") : std::string(1, c);
+    }
     return result;
 }
 

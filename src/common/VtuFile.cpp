@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/VtuFile.hpp"
 
 #include "common/OutputFile.hpp"
@@ -28,8 +29,9 @@ constexpr auto tensorComponents = "ComponentName0=\"XX\" ComponentName1=\"YY\" "
 
 std::string escaped(const std::string& name) {
     std::string text;
-    for (const char c : name)
+    for (const char c : name) {
         text += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
+    }
     return text;
 }
 
@@ -68,8 +70,9 @@ void VtuFile::beginPiece(const std::vector<double>& coordinates,
 void VtuFile::addField(On on, const std::string& name, int nComponents,
                        const std::vector<double>& values, const std::string& attribute) {
     section(on).arrays += append(name, nComponents, values);
-    if (!attribute.empty())
+    if (!attribute.empty()) {
         section(on).attributes += fmt::format(" {}=\"{}\"", attribute, escaped(name));
+    }
 }
 
 void VtuFile::addField(On on, const std::string& name, const std::vector<int>& values) {
@@ -79,8 +82,9 @@ void VtuFile::addField(On on, const std::string& name, const std::vector<int>& v
 void VtuFile::addTexts(const std::string& name, const std::vector<std::string>& texts) {
     std::vector<int> characters; // each text ends with a zero
     for (const std::string& text : texts) {
-        for (const unsigned char c : text)
+        for (const unsigned char c : text) {
             characters.push_back(c);
+        }
         characters.push_back(0);
     }
     texts_ += fmt::format("<DataArray type=\"String\" Name=\"{}\" NumberOfTuples=\"{}\" "
@@ -94,15 +98,17 @@ std::string VtuFile::text(const Piece& piece) {
          {std::pair<const char*, const Section&>{"PointData", piece.pointData},
           {"CellData", piece.cellData},
           {"Points", piece.points},
-          {"Cells", piece.cells}})
+          {"Cells", piece.cells}}) {
         all += element(name, section.attributes, section.arrays);
+    }
     return all;
 }
 
 void VtuFile::write(const std::string& path) const {
     std::string grid = texts_.empty() ? "" : element("FieldData", "", texts_);
-    for (const Piece& piece : pieces_)
+    for (const Piece& piece : pieces_) {
         grid += element("Piece", piece.counts, text(piece));
+    }
     OutputFile file(path);
     file.write("<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
                "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n" +

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "coupling/IqnIls.hpp"
 
 #include "coupling/StateReader.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "coupling/Accelerator.hpp"
 #include "coupling/Aitken.hpp"
 #include "coupling/ConstantRelaxation.hpp"

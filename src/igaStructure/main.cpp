@@ -1,9 +1,10 @@
-#include "common/errors.hpp"
-#include "common/version.hpp"
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "channel/Listener.hpp"
 #include "channel/readToken.hpp"
-#include "igaStructure/caseFile/CaseEntry.hpp"
+#include "common/errors.hpp"
+#include "common/version.hpp"
 #include "igaStructure/case/readCase.hpp"
+#include "igaStructure/caseFile/CaseEntry.hpp"
 #include "igaStructure/coupledRun/CoupledRun.hpp"
 #include "igaStructure/run/Interruption.hpp"
 #include "igaStructure/run/checkCase.hpp"

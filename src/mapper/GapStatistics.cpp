@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "mapper/GapStatistics.hpp"
 
 #include "common/errors.hpp"
+
 #include <fmt/format.h>
 
 namespace tokay::mapper {
@@ -29,8 +31,9 @@ void GapStatistics::enter(MappingReport& report) const {
     report.largestGap = largest_;
     report.relativeGap = largest_ / size_;
     report.worstPoint = worst_;
-    if (!limit_.refuse || report.relativeGap <= limit_.relative)
+    if (!limit_.refuse || report.relativeGap <= limit_.relative) {
         return;
+    }
     throw InputError(fmt::format(
         "The two sides of the interface do not lie on each other: point {} at ({:.6g}, {:.6g}, "
         "{:.6g}) is {:.4g} m away, {:.3g} of the interface size; the limit is {:.3g} ({} of {} "
@@ -40,12 +43,15 @@ void GapStatistics::enter(MappingReport& report) const {
 }
 
 void checkPoints(const Points& points) {
-    if (points.rows() == 0)
+    if (points.rows() == 0) {
         throw InputError("There is no point to map to: the other side's interface is empty.");
-    for (Eigen::Index i = 0; i < points.rows(); ++i)
-        if (!points.row(i).allFinite())
+    }
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
+        if (!points.row(i).allFinite()) {
             throw InputError(fmt::format("Interface point {} is ({}, {}, {}), not finite.", i,
                                          points(i, 0), points(i, 1), points(i, 2)));
+        }
+    }
 }
 
 } // namespace tokay::mapper

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "mapper/MappingReport.hpp"
 
 #include <fmt/format.h>
@@ -12,16 +13,19 @@ std::string MappingReport::text() const {
                     "  errors: constant {:.1e}, force sum {:.1e}, moment {:.1e}\n",
                     method, nPoints, nUnmatched, nAmbiguous, 100 * coverage, largestGap,
                     relativeGap, worstPoint, rowSumError, forceSumError, momentError);
-    if (nUncovered > 0)
+    if (nUncovered > 0) {
         text += fmt::format("  destination values that get nothing: {}\n", nUncovered);
-    if (nInverted > 0)
+    }
+    if (nInverted > 0) {
         text +=
             fmt::format("  mass matrix {0} x {0}, rank {1}{2}, condition on the range {3:.3g}\n",
                         nInverted, rank, rank < nInverted ? " (singular)" : "", condition);
-    if (!regularisation.empty())
+    }
+    if (!regularisation.empty()) {
         text += fmt::format("  the trace of {} functions has only {} dimensions: the rest of their "
                             "values is chosen by the {}\n",
                             nInverted, rank, regularisation);
+    }
     return text + fmt::format("  built in {:.3g} s, {:.3g} MB\n", seconds, bytes / 1e6);
 }
 

@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "mapper/conservation.hpp"
 
 #include <Eigen/Geometry>
+
 #include <cmath>
 
 namespace tokay::mapper {
@@ -20,8 +22,9 @@ Point moment(const Points& positions, const Points& forces, const Point& about) 
 
 Points testForces(Eigen::Index n) {
     Points forces(n, 3);
-    for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index i = 0; i < n; ++i) {
         forces.row(i) << 1 + std::sin(1.0 + i), std::cos(2.0 * i) - 0.5, std::sin(3.0 * i) + 0.3;
+    }
     return forces;
 }
 

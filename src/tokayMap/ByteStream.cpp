@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "tokayMap/ByteStream.hpp"
 
 #include "common/errors.hpp"
+
 #include <fmt/format.h>
 
 namespace tokay::tool {
@@ -8,14 +10,18 @@ namespace tokay::tool {
 namespace {
 
 int base64Digit(char c) {
-    if (c >= 'A' && c <= 'Z')
+    if (c >= 'A' && c <= 'Z') {
         return c - 'A';
-    if (c >= 'a' && c <= 'z')
+    }
+    if (c >= 'a' && c <= 'z') {
         return c - 'a' + 26;
-    if (c >= '0' && c <= '9')
+    }
+    if (c >= '0' && c <= '9') {
         return c - '0' + 52;
-    if (c == '+')
+    }
+    if (c == '+') {
         return 62;
+    }
     return c == '/' ? 63 : -1;
 }
 
@@ -28,15 +34,17 @@ bool isSpace(char c) {
 std::string ByteStream::take(std::size_t nBytes) {
     const std::size_t left = text_.size() - at_;
     const std::size_t most = encoding_ == ByteEncoding::raw ? left : rest_.size() + left / 4 * 3;
-    if (nBytes > most)
+    if (nBytes > most) {
         throw InputError(
             fmt::format("{} bytes are announced, {} are left: the file is cut off.", nBytes, most));
+    }
     if (encoding_ == ByteEncoding::raw) {
         at_ += nBytes;
         return std::string(text_.substr(at_ - nBytes, nBytes));
     }
-    while (rest_.size() < nBytes)
+    while (rest_.size() < nBytes) {
         decodeGroup();
+    }
     std::string bytes = rest_.substr(0, nBytes);
     rest_.erase(0, nBytes);
     return bytes;
@@ -46,22 +54,26 @@ void ByteStream::decodeGroup() {
     unsigned bits = 0;
     int nDigits = 0, nPadding = 0;
     while (nDigits + nPadding < 4) {
-        if (at_ == text_.size())
+        if (at_ == text_.size()) {
             throw InputError("base64 data end too early: the file is cut off.");
+        }
         const char c = text_[at_++];
-        if (isSpace(c))
+        if (isSpace(c)) {
             continue;
+        }
         const int digit = base64Digit(c);
-        if (c == '=')
+        if (c == '=') {
             ++nPadding;
-        else if (digit < 0 || nPadding > 0)
+        } else if (digit < 0 || nPadding > 0) {
             throw InputError(fmt::format("'{}' is not a character of base64 here.", c));
-        else
+        } else {
             ++nDigits;
+        }
         bits = bits << 6 | static_cast<unsigned>(digit < 0 ? 0 : digit);
     }
-    for (int i = 0; i + 1 < nDigits; ++i)
+    for (int i = 0; i + 1 < nDigits; ++i) {
         rest_ += static_cast<char>(bits >> (16 - 8 * i) & 0xff);
+    }
 }
 
 } // namespace tokay::tool

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "tokayMap/MapReport.hpp"
 
 #include <fmt/format.h>
@@ -17,8 +18,9 @@ JsonObject rangeOf(const MatrixXd& values) {
 
 std::string sumText(const MatrixXd& values) {
     std::string text;
-    for (Eigen::Index i = 0; i < values.cols(); ++i)
+    for (Eigen::Index i = 0; i < values.cols(); ++i) {
         text += fmt::format(" {:.10g}", values.col(i).sum());
+    }
     return text;
 }
 
@@ -47,8 +49,9 @@ void MapReport::addSums(const Source& from, const MatrixXd& result) {
 void MapReport::addError(const Eigen::VectorXd& samples, const Points& points,
                          const ScalarFunction& function, const std::string& formula) {
     Eigen::ArrayXd exact(points.rows());
-    for (Eigen::Index i = 0; i < points.rows(); ++i)
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
         exact[i] = function(points.row(i));
+    }
     const Eigen::ArrayXd error = (samples.array() - exact).abs() / exact.abs().maxCoeff();
     const double rootMeanSquare = std::sqrt(error.square().mean());
     text_ += fmt::format("error against {}, relative to its largest value: root mean square "

@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/errors.hpp"
 #include "mapper/interface/CurveInterface.hpp"
 #include "tokayMap/Side.hpp"
 #include "tokayMap/writeField.hpp"
+
 #include <fmt/format.h>
 
 namespace tokay::tool {
@@ -11,11 +13,13 @@ namespace {
 using mapper::ValuesAt;
 
 std::unique_ptr<mapper::Discretisation> discretisationOf(const MeshFile& mesh, ValuesAt valuesAt) {
-    if (!mesh.isLines)
+    if (!mesh.isLines) {
         return std::make_unique<mapper::SurfaceMesh>(mesh.vertices, mesh.cells, valuesAt);
+    }
     std::vector<std::array<int, 2>> lines;
-    for (const std::vector<int>& cell : mesh.cells)
+    for (const std::vector<int>& cell : mesh.cells) {
         lines.push_back({cell[0], cell[1]});
+    }
     return std::make_unique<mapper::CurveInterface>(
         mapper::lineMesh(mesh.vertices, lines, valuesAt));
 }
@@ -46,8 +50,9 @@ class MeshSide : public Side {
 
     Eigen::VectorXd valuesOf(const ScalarFunction& function) const override {
         Eigen::VectorXd values(samplePoints().rows());
-        for (Eigen::Index i = 0; i < values.size(); ++i)
+        for (Eigen::Index i = 0; i < values.size(); ++i) {
             values[i] = function(samplePoints().row(i));
+        }
         return values;
     }
 

@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "mapper/Discretisation.hpp"
 #include "mapper/interface/SurfaceMesh.hpp"
 #include "tokayMap/MeshFile.hpp"
+
 #include <functional>
 #include <memory>
 

@@ -1,11 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/brep/cadJson.hpp"
 #include "geometry/trimming/patchTriangles.hpp"
 #include "mapper/interface/SurfaceInterface.hpp"
 #include "tokayMap/Side.hpp"
 #include "tokayMap/splineProjection.hpp"
 #include "tokayMap/writeField.hpp"
-#include <algorithm>
+
 #include <fmt/format.h>
+
+#include <algorithm>
 #include <numeric>
 
 namespace tokay::tool {
@@ -47,8 +50,9 @@ class SplineSide : public Side {
   public:
     SplineSide(const std::string& path, const SideOptions& options)
         : path_(path), splines_(interfaceOf(geometry::readCadJson(path).model, options)) {
-        for (int piece = 0; piece < splines_.nPieces(); ++piece)
+        for (int piece = 0; piece < splines_.nPieces(); ++piece) {
             addSamples(piece);
+        }
     }
 
     std::string description() const override {
@@ -84,8 +88,9 @@ class SplineSide : public Side {
     void writeForces(const std::string& path, const std::string& field,
                      const Eigen::MatrixXd& forces) const override {
         std::vector<std::vector<int>> controlPoints(splines_.nValues());
-        for (std::size_t i = 0; i < controlPoints.size(); ++i)
+        for (std::size_t i = 0; i < controlPoints.size(); ++i) {
             controlPoints[i] = {static_cast<int>(i)};
+        }
         writeField(path, {splines_.coordinates(), controlPoints, ValuesAt::vertices}, field,
                    forces);
     }
@@ -103,10 +108,12 @@ class SplineSide : public Side {
         const geometry::PatchTriangles mesh = patchTriangles(
             patch.refined(basis.u().degree(), basis.v().degree(), 2, 2), 1e-3 * splines_.size());
         const auto first = static_cast<int>(places_.size());
-        for (const geometry::Parameters& parameters : mesh.parameters)
+        for (const geometry::Parameters& parameters : mesh.parameters) {
             places_.push_back({piece, parameters});
-        for (const auto& corners : mesh.triangles)
+        }
+        for (const auto& corners : mesh.triangles) {
             triangles_.push_back({first + corners[0], first + corners[1], first + corners[2]});
+        }
         points_.conservativeResize(first + mesh.points.rows(), 3);
         points_.bottomRows(mesh.points.rows()) = mesh.points;
     }

@@ -1,7 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "tokayMap/ByteStream.hpp"
+
 #include <pugixml.hpp>
+
 #include <vector>
 
 namespace tokay::tool {

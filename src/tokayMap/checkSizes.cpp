@@ -1,8 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "tokayMap/checkSizes.hpp"
 
 #include "common/errors.hpp"
-#include <cmath>
+
 #include <fmt/format.h>
+
+#include <cmath>
 
 namespace tokay::tool {
 
@@ -19,8 +22,9 @@ double likelyScale(double ratio) {
 void checkSizes(const Side& from, const Side& to) {
     constexpr double mostRatio = 100;
     const double sizeFrom = from.discretisation().size(), sizeTo = to.discretisation().size();
-    if (sizeFrom <= mostRatio * sizeTo && sizeTo <= mostRatio * sizeFrom)
+    if (sizeFrom <= mostRatio * sizeTo && sizeTo <= mostRatio * sizeFrom) {
         return;
+    }
     throw InputError(fmt::format("The two sides differ in size by a factor of {:.4g}:\n  {}\n  {}\n"
                                  "Is one in mm and the other in m? Give the first a scale "
                                  "(--scale-from {:.4g}), or confirm the sizes (--scale-from 1).",

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/version.hpp"
 #include "tokayMap/mapFiles.hpp"
 #include "tokayMap/readSide.hpp"
@@ -107,8 +108,9 @@ int runProgram(int argc, char** argv) {
         fmt::print("{}", tool::listFields(tool::readMesh(options.from)));
         return 0;
     }
-    if (options.to.empty())
+    if (options.to.empty()) {
         return app.exit(CLI::RequiredError("TO"));
+    }
     fmt::print("{}", tool::mapFiles(options));
     return 0;
 }

@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "tokayMap/makeMapping.hpp"
 
 #include "common/errors.hpp"
-#include "mapper/nearest/NearestElementMapping.hpp"
 #include "mapper/interface/PointCloud.hpp"
+#include "mapper/nearest/NearestElementMapping.hpp"
+
 #include <fmt/format.h>
 
 namespace tokay::tool {
@@ -24,11 +26,12 @@ mapper::GapLimit limited(mapper::GapLimit limit, const OperatorOptions& options)
 }
 
 void requireValuesAtPoints(const Side& from, const char* name) {
-    if (from.hasSplines())
+    if (from.hasSplines()) {
         throw InputError(fmt::format("{}: the values of control points are coefficients, not "
                                      "values at points, so {} cannot map from them. Choose "
                                      "nearestElement or mortar.",
                                      from.description(), name));
+    }
 }
 
 /// Nothing if the sides are not of these kinds.
@@ -37,8 +40,9 @@ std::unique_ptr<Mapping> mortarBetween(const Discretisation& from, const Discret
                                        const MortarOptions& options) {
     const auto* first = dynamic_cast<const From*>(&from);
     const auto* second = dynamic_cast<const To*>(&to);
-    if (!first || !second)
+    if (!first || !second) {
         return nullptr;
+    }
     return std::make_unique<MortarMapping>(*first, *second, options);
 }
 
@@ -49,9 +53,11 @@ std::unique_ptr<Mapping> mortar(const Side& from, const Side& to, const Operator
          {mortarBetween<CurveInterface, CurveInterface>, mortarBetween<SurfaceMesh, SurfaceMesh>,
           mortarBetween<SurfaceMesh, SurfaceInterface>,
           mortarBetween<SurfaceInterface, SurfaceMesh>,
-          mortarBetween<SurfaceInterface, SurfaceInterface>})
-        if (auto mapping = make(from.discretisation(), to.discretisation(), mortarOptions))
+          mortarBetween<SurfaceInterface, SurfaceInterface>}) {
+        if (auto mapping = make(from.discretisation(), to.discretisation(), mortarOptions)) {
             return mapping;
+        }
+    }
     throw InputError(fmt::format("mortar does not map between lines and surfaces:\n  {}\n  {}\n"
                                  "Choose nearestElement.",
                                  from.description(), to.description()));

@@ -1,7 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "tokayMap/readObj.hpp"
 
 #include "common/errors.hpp"
+
 #include <fmt/format.h>
+
 #include <fstream>
 #include <sstream>
 
@@ -15,8 +18,9 @@ class Reader {
 
     MeshFile read() {
         std::ifstream file(path_);
-        if (!file)
+        if (!file) {
             throw InputError(fmt::format("{}: the file cannot be opened.", path_));
+        }
         for (std::string line; std::getline(file, line);) {
             ++lineNumber_;
             addLine(line);
@@ -24,8 +28,9 @@ class Reader {
         MeshFile mesh;
         mesh.isLines = faces_.empty();
         mesh.cells = mesh.isLines ? std::move(lines_) : std::move(faces_);
-        if (mesh.cells.empty())
+        if (mesh.cells.empty()) {
             throw InputError(fmt::format("{}: there is neither a face nor a line in it.", path_));
+        }
         mesh.vertices = Eigen::Map<const Points>(coordinates_.data(), coordinates_.size() / 3, 3);
         return mesh;
     }
@@ -39,37 +44,42 @@ class Reader {
         std::istringstream words(line.substr(0, line.find('#')));
         std::string key;
         words >> key;
-        if (key == "v")
+        if (key == "v") {
             addVertex(words);
-        else if (key == "f")
+        } else if (key == "f") {
             addFace(words);
-        else if (key == "l")
+        } else if (key == "l") {
             addPolyline(words);
+        }
     }
 
     void addVertex(std::istringstream& words) {
         for (int i = 0; i < 3; ++i) {
             double value;
-            if (!(words >> value))
+            if (!(words >> value)) {
                 fail("a vertex needs three numbers.");
+            }
             coordinates_.push_back(value);
         }
     }
 
     void addFace(std::istringstream& words) {
         const std::vector<int> vertices = readVertices(words);
-        if (vertices.size() < 3)
+        if (vertices.size() < 3) {
             fail(fmt::format("a face needs at least three vertices, this one has {}.",
                              vertices.size()));
+        }
         faces_.push_back(vertices);
     }
 
     void addPolyline(std::istringstream& words) {
         const std::vector<int> vertices = readVertices(words);
-        if (vertices.size() < 2)
+        if (vertices.size() < 2) {
             fail("a line needs at least two vertices.");
-        for (std::size_t i = 0; i + 1 < vertices.size(); ++i)
+        }
+        for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
             lines_.push_back({vertices[i], vertices[i + 1]});
+        }
     }
 
     /// "v", "v/vt", "v//vn" or "v/vt/vn", from 1 on or, negative, back from the
@@ -80,13 +90,15 @@ class Reader {
         for (std::string word; words >> word;) {
             char* end = nullptr;
             const long number = std::strtol(word.c_str(), &end, 10);
-            if (end == word.c_str() || (*end != '\0' && *end != '/'))
+            if (end == word.c_str() || (*end != '\0' && *end != '/')) {
                 fail(fmt::format("'{}' is not the number of a vertex.", word));
+            }
             const long vertex = number < 0 ? nVertices + number : number - 1;
-            if (number == 0 || vertex < 0 || vertex >= nVertices)
+            if (number == 0 || vertex < 0 || vertex >= nVertices) {
                 fail(fmt::format("there is no vertex {}: {} stand before this line (numbers "
                                  "start at 1).",
                                  number, nVertices));
+            }
             vertices.push_back(static_cast<int>(vertex));
         }
         return vertices;

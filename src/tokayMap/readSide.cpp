@@ -1,10 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "tokayMap/readSide.hpp"
 
 #include "common/errors.hpp"
 #include "tokayMap/readObj.hpp"
 #include "tokayMap/readVtk.hpp"
-#include <filesystem>
+
 #include <fmt/format.h>
+
+#include <filesystem>
 
 namespace tokay::tool {
 
@@ -24,10 +27,12 @@ const char* placeName(ValuesAt at) {
 
 MeshFile readMesh(const std::string& path) {
     const std::string kind = ending(path);
-    if (kind == ".vtu" || kind == ".vtp")
+    if (kind == ".vtu" || kind == ".vtp") {
         return readVtk(path);
-    if (kind == ".obj")
+    }
+    if (kind == ".obj") {
         return readObj(path);
+    }
     throw InputError(fmt::format("{}: files that end in '{}' cannot be read: .vtu, .vtp and .obj "
                                  "(meshes) and .json (cad.json, spline models) can.",
                                  path, kind));
@@ -45,26 +50,31 @@ std::unique_ptr<Side> readSide(const std::string& path, const SideOptions& optio
 const MeshField& fieldNamed(const MeshFile& mesh, const std::string& path, const std::string& name,
                             std::optional<ValuesAt> at) {
     const MeshField* found = nullptr;
-    for (const MeshField& field : mesh.fields)
+    for (const MeshField& field : mesh.fields) {
         if (field.name == name && (!at || field.at == *at) &&
-            (!found || field.at == ValuesAt::faces))
+            (!found || field.at == ValuesAt::faces)) {
             found = &field;
-    if (!found)
+        }
+    }
+    if (!found) {
         throw InputError(fmt::format("{}: there is no field '{}'{}. There are:\n{}", path, name,
                                      at ? fmt::format(" at {}", placeName(*at)) : "",
                                      listFields(mesh)));
+    }
     return *found;
 }
 
 std::string listFields(const MeshFile& mesh) {
-    if (mesh.fields.empty())
+    if (mesh.fields.empty()) {
         return "  no field\n";
+    }
     std::string text;
-    for (const MeshField& field : mesh.fields)
+    for (const MeshField& field : mesh.fields) {
         text += fmt::format("  {:<24} at {:<9} {} component{}, {:.4g} to {:.4g}\n", field.name,
                             placeName(field.at), field.values.cols(),
                             field.values.cols() == 1 ? "" : "s", field.values.minCoeff(),
                             field.values.maxCoeff());
+    }
     return text;
 }
 

@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "tokayMap/readVtkCells.hpp"
 
 #include <fmt/format.h>
+
 #include <map>
 
 namespace tokay::tool {
@@ -27,17 +29,19 @@ class CellReader {
 
     /// @param place  element with connectivity and offsets
     void add(pugi::xml_node place, const std::vector<double>& types) {
-        if (types.empty())
+        if (types.empty()) {
             return;
+        }
         const std::vector<double> ends =
             arrays_.numbers(arrays_.arrayIn(place, "offsets"), types.size());
         const std::vector<double> vertices =
             arrays_.numbers(arrays_.arrayIn(place, "connectivity"));
         double begin = 0;
         for (std::size_t i = 0; i < types.size(); ++i) {
-            if (!(ends[i] >= begin && ends[i] <= static_cast<double>(vertices.size())))
+            if (!(ends[i] >= begin && ends[i] <= static_cast<double>(vertices.size()))) {
                 arrays_.fail(fmt::format("cell {} ends at {} of {} vertex numbers.", cells_.size(),
                                          ends[i], vertices.size()));
+            }
             addCell(static_cast<int>(types[i]), {vertices.begin() + static_cast<long>(begin),
                                                  vertices.begin() + static_cast<long>(ends[i])});
             begin = ends[i];
@@ -49,20 +53,23 @@ class CellReader {
   private:
     void addCell(int type, const std::vector<double>& vertices) {
         VtkCell cell{dimensionOf(type), {}};
-        if (cell.dimension < 0)
+        if (cell.dimension < 0) {
             arrays_.fail(fmt::format("cell {} has VTK's type {}, which is not supported: lines, "
                                      "triangles, quadrilaterals and polygons are. Of a volume, "
                                      "extract the surface.",
                                      cells_.size(), type));
+        }
         for (const double vertex : vertices) {
-            if (!(vertex >= 0 && vertex < nVertices_))
+            if (!(vertex >= 0 && vertex < nVertices_)) {
                 arrays_.fail(fmt::format("cell {} names the point {}, but there are {} (numbers "
                                          "start at 0).",
                                          cells_.size(), vertex, nVertices_));
+            }
             cell.vertices.push_back(static_cast<int>(vertex));
         }
-        if (type == pixel && cell.vertices.size() == 4)
+        if (type == pixel && cell.vertices.size() == 4) {
             std::swap(cell.vertices[2], cell.vertices[3]);
+        }
         cells_.push_back(std::move(cell));
     }
 
@@ -76,9 +83,10 @@ class CellReader {
 std::vector<VtkCell> readVtkCells(const VtkArrays& arrays, pugi::xml_node piece,
                                   std::size_t nVertices) {
     CellReader reader(arrays, nVertices);
-    if (const pugi::xml_node cells = piece.child("Cells"))
+    if (const pugi::xml_node cells = piece.child("Cells")) {
         reader.add(cells, arrays.numbers(arrays.arrayIn(cells, "types"),
                                          piece.attribute("NumberOfCells").as_ullong()));
+    }
     const std::pair<const char*, int> kinds[] = {
         {"Verts", polyVertex}, {"Lines", polyLine}, {"Polys", polygon}, {"Strips", triangleStrip}};
     for (const auto& [kind, type] : kinds) {

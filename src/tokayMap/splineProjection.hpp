@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "mapper/interface/SurfaceInterface.hpp"
+
 #include <functional>
 
 namespace tokay::tool {

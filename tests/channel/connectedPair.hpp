@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "channel/Channel.hpp"
 
-#include <stdexcept>
 #include <sys/socket.h>
+
+#include <stdexcept>
 #include <utility>
 
 namespace tokay::coupling {

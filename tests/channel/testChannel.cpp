@@ -1,20 +1,21 @@
-#include "common/errors.hpp"
-#include "connectedPair.hpp"
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "channel/allFinite.hpp"
 #include "channel/encoding.hpp"
+#include "common/errors.hpp"
+#include "connectedPair.hpp"
 #include "exampleMessages.hpp"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <csignal>
-#include <fcntl.h>
 #include <random>
-#include <sys/resource.h>
-#include <sys/wait.h>
 #include <thread>
-#include <unistd.h>
 
 namespace tokay::coupling {
 namespace {

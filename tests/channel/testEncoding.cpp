@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "channel/PeerError.hpp"
 #include "channel/encoding.hpp"
 #include "exampleMessages.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <random>
-#include <sys/resource.h>
 
 namespace tokay::coupling {
 namespace {

@@ -1,17 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "channel/Listener.hpp"
 #include "common/errors.hpp"
 #include "connectedPair.hpp"
-#include "channel/Listener.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/un.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <sys/stat.h>
-#include <sys/un.h>
 #include <thread>
-#include <unistd.h>
 
 namespace tokay::coupling {
 namespace {

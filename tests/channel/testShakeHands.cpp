@@ -1,5 +1,6 @@
-#include "connectedPair.hpp"
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "channel/shakeHands.hpp"
+#include "connectedPair.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/Formula.hpp"
-
 #include "geometry/expectInputError.hpp"
+
 #include <gtest/gtest.h>
 
 namespace tokay {

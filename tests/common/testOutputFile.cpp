@@ -1,5 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/OutputFile.hpp"
-
 #include "fileSizeLimit.hpp"
 #include "temporaryDirectory.hpp"
 

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/VtuFile.hpp"
-
 #include "temporaryDirectory.hpp"
 #include "vtuArrays.hpp"
-#include <cstdlib>
+
 #include <gtest/gtest.h>
+
+#include <cstdlib>
 
 namespace tokay {
 

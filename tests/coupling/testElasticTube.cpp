@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The elastic tube of 10 cells, κ = 10, τ = 0.01: a fluid and a structure that
 // cannot be coupled by plain iteration, against their monolithic solution.
 #include "ElasticTube.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "LinearResponse.hpp"
 #include "coupling/MultiVectorModel.hpp"
 #include "coupling/Mvqn.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A structure that does as it is told: the other side of the adapter's tests.
 //
 // fakeStructure run CASE [--behaviour NAME] [--record FILE]
@@ -9,6 +10,8 @@
 #include "channel/Listener.hpp"
 #include "channel/shakeHands.hpp"
 
+#include <unistd.h>
+
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -18,7 +21,6 @@
 #include <optional>
 #include <string>
 #include <thread>
-#include <unistd.h>
 #include <vector>
 
 namespace {

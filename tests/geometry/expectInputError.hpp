@@ -1,8 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "common/errors.hpp"
-#include <functional>
+
 #include <gtest/gtest.h>
+
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,9 +19,10 @@ inline void expectInputError(const std::function<void()>& action,
         ADD_FAILURE() << "nothing was thrown";
     } catch (const InputError& error) {
         const std::string message = error.what();
-        for (const std::string& word : words)
+        for (const std::string& word : words) {
             EXPECT_NE(message.find(word), std::string::npos)
                 << "\"" << word << "\" is missing in: " << message;
+        }
     }
 }
 

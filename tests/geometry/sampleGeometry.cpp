@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "sampleGeometry.hpp"
 
 #include <cmath>
@@ -23,19 +24,21 @@ NurbsSurface sampleSurface() {
     const int nU = u.nBasis(), nV = v.nBasis();
     Points points(nU * nV, 3);
     Eigen::VectorXd weights(nU * nV);
-    for (int j = 0; j < nV; ++j)
+    for (int j = 0; j < nV; ++j) {
         for (int i = 0; i < nU; ++i) {
             points.row(i + nU * j) << i + 0.2 * std::sin(j), j + 0.3 * std::cos(2 * i),
                 0.5 * std::sin(1.0 * i) * std::cos(0.7 * j);
             weights[i + nU * j] = 1 + 0.3 * std::sin(1.0 + i + 2 * j);
         }
+    }
     return NurbsSurface(u, v, points, weights);
 }
 
 std::vector<double> sampleParameters(int n) {
     std::vector<double> parameters;
-    for (int i = 0; i < n; ++i)
+    for (int i = 0; i < n; ++i) {
         parameters.push_back(static_cast<double>(i) / (n - 1));
+    }
     return parameters;
 }
 

@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "sampleLoops.hpp"
 
-#include "geometry/spline/curveParts.hpp"
 #include "geometry/primitives/primitives.hpp"
+#include "geometry/spline/curveParts.hpp"
 #include "geometry/spline/refinement.hpp"
+
 #include <cmath>
 
 namespace tokay::geometry {

@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "sampleModels.hpp"
 
 #include "geometry/primitives/primitives.hpp"
 #include "sampleLoops.hpp"
+
 #include <cmath>
 
 namespace tokay::geometry {

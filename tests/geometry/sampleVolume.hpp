@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "geometry/primitives/primitives.hpp"
-#include "geometry/spline/refinement.hpp"
 #include "geometry/primitives/volumePrimitives.hpp"
+#include "geometry/spline/refinement.hpp"
+
 #include <cmath>
 
 namespace tokay::geometry {
@@ -14,9 +16,10 @@ inline NurbsVolume sampleVolume() {
         refine(thickened(cylinderPatch({1, 2, 3}, 1.5, 2, 0.2, 0.2 + 2 * M_PI / 3), 1), {2, 3, 2},
                {2, 2, 3});
     Points points = fine.controlPoints();
-    for (Eigen::Index k = 0; k < points.rows(); ++k)
+    for (Eigen::Index k = 0; k < points.rows(); ++k) {
         points.row(k) +=
             0.03 * Eigen::RowVector3d(std::sin(3.0 * k), std::cos(5.0 * k), std::sin(k));
+    }
     return NurbsVolume(fine.u(), fine.v(), fine.w(), points, fine.weights());
 }
 

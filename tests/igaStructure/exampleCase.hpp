@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "igaStructure/caseFile/CaseSection.hpp"
 #include "igaStructure/case/readCase.hpp"
+#include "igaStructure/caseFile/CaseSection.hpp"
 
 #include <string>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "ChildProgram.hpp"
 #include "ScriptedFluid.hpp"
 #include "common/version.hpp"

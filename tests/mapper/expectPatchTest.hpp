@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mapper/mortar/MortarMapping.hpp"
 #include "mapper/conservation.hpp"
+#include "mapper/mortar/MortarMapping.hpp"
 #include "mappingProperties.hpp"
+
 #include <gtest/gtest.h>
 
 namespace tokay::mapper {

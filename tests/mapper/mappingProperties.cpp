@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "mappingProperties.hpp"
 
 #include "mapper/conservation.hpp"
+
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
@@ -26,8 +28,9 @@ void expectForceAndMomentConserved(const Mapping& mapping, const Points& forces,
                                    const Points& to) {
     const auto moment = [](const Points& x, const Points& f) {
         Point sum = Point::Zero();
-        for (Eigen::Index i = 0; i < x.rows(); ++i)
+        for (Eigen::Index i = 0; i < x.rows(); ++i) {
             sum += Point(x.row(i)).cross(Point(f.row(i)));
+        }
         return sum;
     };
     const Points mapped = mapping.applyTransposed(forces);

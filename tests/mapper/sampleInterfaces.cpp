@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "sampleInterfaces.hpp"
 
 #include "geometry/primitives/primitives.hpp"
 #include "geometry/spline/refinement.hpp"
+
 #include <cmath>
 #include <numeric>
 
@@ -59,8 +61,9 @@ CurveInterface verticalLine(int nElements, double x, ValuesAt valuesAt) {
     for (int i = 0; i <= nElements; ++i) {
         const double t = static_cast<double>(i) / nElements;
         vertices.row(i) << x, t + 0.3 * t * (1 - t), 0;
-        if (i > 0)
+        if (i > 0) {
             elements.push_back({i - 1, i});
+        }
     }
     return lineMesh(vertices, elements, valuesAt);
 }

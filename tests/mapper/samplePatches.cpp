@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "samplePatches.hpp"
 
-#include "geometry/spline/curveParts.hpp"
 #include "geometry/primitives/primitives.hpp"
+#include "geometry/spline/curveParts.hpp"
 #include "geometry/spline/refinement.hpp"
+
 #include <cmath>
 #include <numeric>
 
@@ -31,9 +33,11 @@ NurbsSurface plate(int nX, int nY) {
 NurbsSurface bentParameters(int nX, int nY) {
     NurbsSurface surface = refine(geometry::rectangle(Point::Zero(), 2, 1), 2, 2, 2, 2);
     Points points = surface.controlPoints();
-    for (int j = 1; j < 3; ++j)
-        for (int i = 1; i < 3; ++i)
+    for (int j = 1; j < 3; ++j) {
+        for (int i = 1; i < 3; ++i) {
             points.row(i + 4 * j) += Eigen::RowVector3d(0.2 * j - 0.3, 0.1 * i - 0.2, 0);
+        }
+    }
     return refine(surface.withControlPoints(points), 2, 2, nX / 2, nY / 2);
 }
 
@@ -52,9 +56,11 @@ SurfaceInterface twoPatches() {
     std::vector<int> leftNumbers(nLeft), rightNumbers(right.nControlPoints());
     std::iota(leftNumbers.begin(), leftNumbers.end(), 0);
     int next = nLeft;
-    for (int j = 0; j < right.v().nBasis(); ++j)
-        for (int i = 0; i < right.u().nBasis(); ++i)
+    for (int j = 0; j < right.v().nBasis(); ++j) {
+        for (int i = 0; i < right.u().nBasis(); ++i) {
             rightNumbers[i + right.u().nBasis() * j] = i == 0 ? nU - 1 + nU * j : next++;
+        }
+    }
     return SurfaceInterface(
         {{TrimmedPatch(left), leftNumbers, "left"}, {TrimmedPatch(right), rightNumbers, "right"}},
         next);

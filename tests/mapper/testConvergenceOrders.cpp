@@ -1,12 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/quadrature/gaussLegendre.hpp"
+#include "mapper/interface/PointCloud.hpp"
 #include "mapper/mortar/MortarMapping.hpp"
 #include "mapper/nearest/NearestElementMapping.hpp"
-#include "mapper/interface/PointCloud.hpp"
 #include "sampleInterfaces.hpp"
 #include "sampleMeshes.hpp"
+
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <functional>
-#include <gtest/gtest.h>
 
 namespace tokay::mapper {
 
@@ -18,8 +21,9 @@ double smooth(const Point& x) {
 
 Eigen::VectorXd smooth(const Points& x) {
     Eigen::VectorXd values(x.rows());
-    for (Eigen::Index i = 0; i < x.rows(); ++i)
+    for (Eigen::Index i = 0; i < x.rows(); ++i) {
         values[i] = smooth(Point(x.row(i)));
+    }
     return values;
 }
 
@@ -34,7 +38,7 @@ double fieldError(const CurveInterface& interface, const Eigen::VectorXd& values
     for (int i = 0; i < interface.nCurves(); ++i) {
         const InterfaceCurve& curve = interface.curve(i);
         const std::vector<double>& ends = curve.breakpoints();
-        for (std::size_t e = 0; e + 1 < ends.size(); ++e)
+        for (std::size_t e = 0; e + 1 < ends.size(); ++e) {
             for (int k = 0; k < 8; ++k) {
                 const double xi = ends[e] + (ends[e + 1] - ends[e]) * rule.points[k];
                 const Points d = curve.derivatives(xi, 1);
@@ -42,6 +46,7 @@ double fieldError(const CurveInterface& interface, const Eigen::VectorXd& values
                 const double error = f.weights.dot(values(f.values)) - smooth(Point(d.row(0)));
                 sum += rule.weights[k] * (ends[e + 1] - ends[e]) * d.row(1).norm() * error * error;
             }
+        }
     }
     return std::sqrt(sum);
 }
@@ -103,11 +108,12 @@ TEST(ConvergenceOrders, mortarOntoSplinesIsOfTheDegreePlusOne) {
     // The source's own error, 6e-8, stays below what is measured.
     const CurveInterface from = verticalMesh(6000);
     const Eigen::VectorXd values = smooth(from.coordinates());
-    for (int degree = 1; degree <= 3; ++degree)
+    for (int degree = 1; degree <= 3; ++degree) {
         expectOrder(degree + 1, [&](int n) {
             const SplineInterface to = verticalSpline(degree, n / 4);
             return fieldError(to, MortarMapping(from, to).apply(values));
         });
+    }
 }
 
 } // namespace tokay::mapper

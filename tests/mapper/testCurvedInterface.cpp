@@ -1,11 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a transfer loses between a curved structure and the facets of a fluid
 // mesh: the two sides differ by a sagitta, so no map keeps everything.
 #include "mapper/mortar/MortarMapping.hpp"
 #include "sampleInterfaces.hpp"
+
 #include <Eigen/Dense>
 #include <Eigen/Geometry>
-#include <cmath>
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace tokay::mapper {
 
@@ -18,8 +21,9 @@ CurveInterface facets(int n) {
     for (int i = 0; i <= n; ++i) {
         const double angle = std::acos(0.0) * i / n;
         vertices.row(i) << std::cos(angle), std::sin(angle), 0;
-        if (i > 0)
+        if (i > 0) {
             elements.push_back({i - 1, i});
+        }
     }
     return lineMesh(vertices, elements, ValuesAt::faces);
 }
@@ -32,15 +36,17 @@ Eigen::VectorXd lengths(int n) {
 /// Unit tractions along the faces.
 Points tangents(const Points& centres) {
     Points t(centres.rows(), 3);
-    for (Eigen::Index i = 0; i < t.rows(); ++i)
+    for (Eigen::Index i = 0; i < t.rows(); ++i) {
         t.row(i) = Point(0, 0, 1).cross(Point(centres.row(i))).normalized();
+    }
     return t;
 }
 
 double moment(const Points& positions, const Points& forces) {
     double sum = 0;
-    for (Eigen::Index i = 0; i < positions.rows(); ++i)
+    for (Eigen::Index i = 0; i < positions.rows(); ++i) {
         sum += Point(positions.row(i)).cross(Point(forces.row(i)))[2];
+    }
     return sum;
 }
 

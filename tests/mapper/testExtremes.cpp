@@ -1,15 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "expectPatchTest.hpp"
-#include "geometry/spline/curveParts.hpp"
 #include "geometry/expectInputError.hpp"
 #include "geometry/primitives/primitives.hpp"
+#include "geometry/spline/curveParts.hpp"
 #include "geometry/spline/refinement.hpp"
-#include "mapper/nearest/NearestElementMapping.hpp"
 #include "mapper/interface/PointCloud.hpp"
+#include "mapper/nearest/NearestElementMapping.hpp"
 #include "mapper/rbf/RbfMapping.hpp"
 #include "sampleInterfaces.hpp"
 #include "sampleMeshes.hpp"
 #include "samplePatches.hpp"
+
 #include <Eigen/Geometry>
+
 #include <cmath>
 #include <numeric>
 
@@ -60,11 +63,12 @@ struct Placement {
     /// Quadrilaterals in rows, as vertices of a shaken grid.
     SurfaceMesh operator()(int n, int seed) const {
         SurfaceMesh::Faces faces;
-        for (int j = 0; j < n; ++j)
+        for (int j = 0; j < n; ++j) {
             for (int i = 0; i < n; ++i) {
                 const int a = i + (n + 1) * j;
                 faces.push_back({a, a + 1, a + n + 2, a + n + 1});
             }
+        }
         return SurfaceMesh((*this)(mesh(n, n, seed).vertices()), faces, ValuesAt::vertices);
     }
     /// Coordinates of size 1e6 carry 1e-10 of the interface's size, which the inverse of the
@@ -78,22 +82,25 @@ template <class Map>
 void expectPlaceDoesNotMatter(const Map& map) {
     const Points reference = map(Placement{1, 0});
     ASSERT_TRUE(reference.allFinite());
-    for (const Placement& placement : placements)
+    for (const Placement& placement : placements) {
         EXPECT_LT((map(placement) - reference).cwiseAbs().maxCoeff(),
                   placement.tolerance() * reference.cwiseAbs().maxCoeff())
             << placement.scale << ", " << placement.way;
+    }
 }
 
 /// Faces of a grid of n x n quadrilaterals; every third one is turned over.
 SurfaceMesh::Faces someInverted(int n) {
     SurfaceMesh::Faces faces;
-    for (int j = 0; j < n; ++j)
+    for (int j = 0; j < n; ++j) {
         for (int i = 0; i < n; ++i) {
             const int a = i + (n + 1) * j;
             faces.push_back({a, a + 1, a + n + 2, a + n + 1});
-            if (faces.size() % 3 == 0)
+            if (faces.size() % 3 == 0) {
                 std::reverse(faces.back().begin(), faces.back().end());
+            }
         }
+    }
     return faces;
 }
 
@@ -171,7 +178,7 @@ TEST(Extremes, scalePlaceAndDirectionDoNotMatterForMortarBetweenPatches) {
 
 TEST(Extremes, scalePlaceAndDirectionDoNotMatterForTrimmedEdges) {
     const NurbsSurface surface = refine(geometry::rectangle(Point(-0.6, 0, 0), 2, 1), 2, 2, 2, 2);
-    for (const SingularMass singular : {SingularMass::minimumNorm, SingularMass::gradientTerm})
+    for (const SingularMass singular : {SingularMass::minimumNorm, SingularMass::gradientTerm}) {
         expectPlaceDoesNotMatter([&](const Placement& placed) -> Points {
             const NurbsSurface moved = surface.withControlPoints(placed(surface.controlPoints()));
             std::vector<int> numbers(moved.nControlPoints());
@@ -182,13 +189,15 @@ TEST(Extremes, scalePlaceAndDirectionDoNotMatterForTrimmedEdges) {
                 numbers));
             const CurveInterface to(std::move(curves), moved.controlPoints());
             std::vector<std::array<int, 2>> elements;
-            for (int i = 0; i < 7; ++i)
+            for (int i = 0; i < 7; ++i) {
                 elements.push_back({i, i + 1});
+            }
             const CurveInterface from = lineMesh(placed(verticalMesh(7).coordinates()), elements);
             MortarOptions options;
             options.singular = singular;
             return MortarMapping(from, to, options).apply(testForces(from.nValues()));
         });
+    }
 }
 
 TEST(Extremes, scalePlaceAndDirectionDoNotMatterForNearestElementOfPatches) {
@@ -289,8 +298,9 @@ TEST(Extremes, verticesThatFacesDoNotShareMapAsMergedOnes) {
     Points vertices(3 * merged.nFaces(), 3);
     SurfaceMesh::Faces faces;
     for (int face = 0; face < merged.nFaces(); ++face) {
-        for (int i = 0; i < 3; ++i)
+        for (int i = 0; i < 3; ++i) {
             vertices.row(3 * face + i) = merged.triangle(face).corner(i);
+        }
         faces.push_back({3 * face, 3 * face + 1, 3 * face + 2});
     }
     const SurfaceMesh apart(vertices, faces, ValuesAt::vertices);
@@ -306,12 +316,13 @@ TEST(Extremes, verticesThatFacesDoNotShareMapAsMergedOnes) {
 TEST(Extremes, aLineElementWithoutLengthIsRefused) {
     Points vertices(3, 3);
     vertices << 0, 0, 0, 1, 0, 0, 1, 0, 0;
-    for (const ValuesAt valuesAt : {ValuesAt::vertices, ValuesAt::faces})
+    for (const ValuesAt valuesAt : {ValuesAt::vertices, ValuesAt::faces}) {
         expectInputError(
             [&] {
                 lineMesh(vertices, {{0, 1}, {1, 2}}, valuesAt);
             },
             {"element 1", "no length"});
+    }
 }
 
 } // namespace tokay::mapper

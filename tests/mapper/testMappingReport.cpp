@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "mapper/MappingReport.hpp"
-
 #include "mapper/mortar/MortarMapping.hpp"
 #include "sampleMeshes.hpp"
+
 #include <gtest/gtest.h>
-#include <limits>
 #include <yaml-cpp/yaml.h>
+
+#include <limits>
 
 namespace tokay::mapper {
 

@@ -1,17 +1,19 @@
-#include "tokayMap/mapFiles.hpp"
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/brep/cadJson.hpp"
-#include "geometry/spline/curveParts.hpp"
 #include "geometry/expectInputError.hpp"
 #include "geometry/primitives/primitives.hpp"
+#include "geometry/spline/curveParts.hpp"
 #include "temporaryDirectory.hpp"
+#include "tokayMap/mapFiles.hpp"
 #include "tokayMap/readSide.hpp"
 #include "tokayMap/writeField.hpp"
 #include "vtuArrays.hpp"
-#include <cmath>
+
 #include <gtest/gtest.h>
-#include <numeric>
 #include <yaml-cpp/yaml.h>
+
+#include <cmath>
+#include <numeric>
 
 namespace tokay::tool {
 
@@ -28,7 +30,7 @@ void writeSquare(const std::string& path, int n, ValuesAt at, double scale = 1) 
     Points vertices((n + 1) * (n + 1), 3);
     std::vector<std::vector<int>> cells;
     Eigen::VectorXd onVertices(vertices.rows()), onFaces(n * n);
-    for (int j = 0; j <= n; ++j)
+    for (int j = 0; j <= n; ++j) {
         for (int i = 0; i <= n; ++i) {
             const int a = i + (n + 1) * j;
             vertices.row(a) << scale * i / n, scale * j / n, 0;
@@ -38,6 +40,7 @@ void writeSquare(const std::string& path, int n, ValuesAt at, double scale = 1) 
                 cells.push_back({a, a + 1, a + n + 2, a + n + 1});
             }
         }
+    }
     writeField(path, {vertices, cells, at}, "p", at == ValuesAt::vertices ? onVertices : onFaces);
 }
 
@@ -56,8 +59,9 @@ double largestLinearError(const std::string& vtu, const std::string& name) {
     const auto arrays = vtuArrays(vtu);
     const std::vector<double>&points = arrays.at("Points"), &values = arrays.at(name);
     double largest = 0;
-    for (std::size_t i = 0; i < values.size(); ++i)
+    for (std::size_t i = 0; i < values.size(); ++i) {
         largest = std::max(largest, std::abs(values[i] - linear(points[3 * i], points[3 * i + 1])));
+    }
     return largest;
 }
 
@@ -108,8 +112,9 @@ TEST_F(MapFiles, mapsOntoATrimmedModelAndWritesItsTriangles) {
         mapFiles(options);
         EXPECT_LT(largestLinearError(options.output, "p"), 1e-10);
         const auto points = vtuArrays(options.output).at("Points");
-        for (std::size_t i = 0; i < points.size(); i += 3)
+        for (std::size_t i = 0; i < points.size(); i += 3) {
             EXPECT_GT(std::hypot(points[i] - 0.5, points[i + 1] - 0.5), 0.19) << "the hole";
+        }
     }
 }
 
@@ -175,21 +180,24 @@ TEST_F(MapFiles, keepsTheSumOfForcesWhateverTheOperatorAndTheDestination) {
     options.conservative = true;
     options.mapping.gapLimit = 0.3;
     options.mapping.mortar.singular = mapper::SingularMass::minimumNorm;
-    for (const std::string to : {"to.vtu", "plate.json"})
+    for (const std::string to : {"to.vtu", "plate.json"}) {
         for (const Operator kind : {Operator::nearestNeighbour, Operator::nearestElement,
                                     Operator::rbf, Operator::mortar}) {
             const bool isModel = to == "plate.json";
-            if (isModel && (kind == Operator::nearestNeighbour || kind == Operator::rbf))
+            if (isModel && (kind == Operator::nearestNeighbour || kind == Operator::rbf)) {
                 continue; // refused: see below
+            }
             options.to = directory.file(to);
             options.mapping.kind = kind;
             options.mapping.allowGaps = isModel; // faces over the hole
             const std::string text = mapFiles(options);
             EXPECT_NE(text.find("sum of p:"), std::string::npos);
-            if (isModel && kind == Operator::mortar)
+            if (isModel && kind == Operator::mortar) {
                 continue; // what acts over the hole has no partner there
+            }
             EXPECT_NEAR(sumOfMapped(), sum, 1e-12 * sum * forces.size());
         }
+    }
 }
 
 TEST_F(MapFiles, writesAReportThatProgramsCanRead) {
@@ -218,8 +226,9 @@ TEST_F(MapFiles, saysThatMillimetresMeetMetres) {
 TEST_F(MapFiles, takesValuesFromATable) {
     options.field.clear();
     std::string table = "# one a vertex, two components\n";
-    for (int i = 0; i < 64; ++i)
+    for (int i = 0; i < 64; ++i) {
         table += "2, -1.5\n";
+    }
     options.valuesFile = directory.write("values.csv", table);
     mapFiles(options);
     const std::vector<double> values = vtuArrays(options.output).at("values");

@@ -1,7 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "temporaryDirectory.hpp"
-#include <cstdlib>
+
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+
+#include <cstdlib>
 
 namespace tokay::tool {
 

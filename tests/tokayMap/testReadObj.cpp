@@ -1,7 +1,8 @@
-#include "tokayMap/readObj.hpp"
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/expectInputError.hpp"
 #include "temporaryDirectory.hpp"
+#include "tokayMap/readObj.hpp"
+
 #include <gtest/gtest.h>
 
 namespace tokay::tool {

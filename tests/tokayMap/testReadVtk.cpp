@@ -1,9 +1,10 @@
-#include "tokayMap/readVtk.hpp"
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/expectInputError.hpp"
 #include "temporaryDirectory.hpp"
+#include "tokayMap/readVtk.hpp"
 #include "tokayMap/writeField.hpp"
 #include "vtkText.hpp"
+
 #include <gtest/gtest.h>
 
 namespace tokay::tool {
@@ -14,9 +15,11 @@ using Format = VtkStyle::Format;
 using mapper::ValuesAt;
 
 const MeshField& field(const MeshFile& mesh, const std::string& name) {
-    for (const MeshField& candidate : mesh.fields)
-        if (candidate.name == name)
+    for (const MeshField& candidate : mesh.fields) {
+        if (candidate.name == name) {
             return candidate;
+        }
+    }
     throw std::runtime_error("no field " + name);
 }
 
@@ -44,8 +47,9 @@ void expectRefused(const std::string& text, const std::vector<std::string>& word
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
     const std::size_t at = text.find(from);
-    if (at == std::string::npos)
+    if (at == std::string::npos) {
         throw std::runtime_error(from + " is not in the text");
+    }
     return text.replace(at, from.size(), to);
 }
 
@@ -53,15 +57,18 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 
 TEST(ReadVtk, readsEveryFormatWithEveryHeaderAndType) {
     for (const Format format :
-         {Format::ascii, Format::inlineBase64, Format::appendedRaw, Format::appendedBase64})
-        for (const bool isCompressed : {false, true})
-            for (const bool hasLongHeaders : {false, true})
+         {Format::ascii, Format::inlineBase64, Format::appendedRaw, Format::appendedBase64}) {
+        for (const bool isCompressed : {false, true}) {
+            for (const bool hasLongHeaders : {false, true}) {
                 for (const bool isSingle : {false, true}) {
                     SCOPED_TRACE(testing::Message() << static_cast<int>(format) << isCompressed
                                                     << hasLongHeaders << isSingle);
                     expectExample(
                         read(exampleGrid({format, isCompressed, hasLongHeaders, isSingle})));
                 }
+            }
+        }
+    }
 }
 
 TEST(ReadVtk, readsWhatTheOwnWriterWrites) {
@@ -80,7 +87,7 @@ TEST(ReadVtk, readsWhatTheOwnWriterWrites) {
 TEST(ReadVtk, readsPolyDataOfSeveralPieces) {
     VtkText text(VtkStyle{Format::inlineBase64, false, true, true});
     std::string pieces = "<Piece NumberOfPoints=\"0\" NumberOfPolys=\"0\"/>\n";
-    for (const double shift : {0.0, 2.0})
+    for (const double shift : {0.0, 2.0}) {
         pieces += "<Piece NumberOfPoints=\"3\" NumberOfVerts=\"0\" NumberOfLines=\"1\" "
                   "NumberOfPolys=\"1\">\n<Points>\n" +
                   text.reals("Points", 3, {shift, 0, 0, shift + 1, 0, 0, shift, 1, 0}) +
@@ -89,6 +96,7 @@ TEST(ReadVtk, readsPolyDataOfSeveralPieces) {
                   text.integers("connectivity", {0, 1, 2}) + text.integers("offsets", {3}) +
                   "</Polys>\n<CellData>\n" + text.reals("p", 1, {-1, shift}) +
                   "</CellData>\n</Piece>\n";
+    }
     const MeshFile mesh = read(text.file("PolyData", pieces));
     EXPECT_EQ(mesh.cells, (std::vector<std::vector<int>>{{0, 1, 2}, {3, 4, 5}}));
     EXPECT_EQ(mesh.vertices(4, 0), 3);

@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkText.hpp"
+
+#include <zlib.h>
 
 #include <cstdint>
 #include <sstream>
-#include <zlib.h>
 
 namespace tokay::tool {
 
@@ -15,10 +17,12 @@ std::string base64(const std::string& bytes) {
     std::string text;
     for (std::size_t i = 0; i < bytes.size(); i += 3) {
         unsigned group = 0;
-        for (std::size_t j = i; j < i + 3; ++j)
+        for (std::size_t j = i; j < i + 3; ++j) {
             group = group << 8 | (j < bytes.size() ? static_cast<unsigned char>(bytes[j]) : 0u);
-        for (int j = 0; j < 4; ++j)
+        }
+        for (int j = 0; j < 4; ++j) {
             text += i + j > bytes.size() ? '=' : digits[group >> (18 - 6 * j) & 63];
+        }
     }
     return text;
 }
@@ -35,14 +39,16 @@ std::string deflated(const std::string& bytes) {
 
 std::string VtkText::reals(const std::string& name, int nComponents,
                            const std::vector<double>& values) {
-    if (!style_.isSingle)
+    if (!style_.isSingle) {
         return array("Float64", name, nComponents, values);
+    }
     return array("Float32", name, nComponents, std::vector<float>(values.begin(), values.end()));
 }
 
 std::string VtkText::integers(const std::string& name, const std::vector<int>& values) {
-    if (style_.isSingle)
+    if (style_.isSingle) {
         return array("Int32", name, 1, std::vector<std::int32_t>(values.begin(), values.end()));
+    }
     return array("Int64", name, 1, std::vector<std::int64_t>(values.begin(), values.end()));
 }
 
@@ -57,8 +63,9 @@ std::string VtkText::array(const std::string& type, const std::string& name, int
     if (style_.format == Format::ascii) {
         text.precision(17);
         text << "ascii\">\n";
-        for (const Value value : values)
+        for (const Value value : values) {
             text << ' ' << value;
+        }
         text << "\n</DataArray>\n";
     } else if (style_.format == Format::inlineBase64) {
         text << "binary\">\n  " << encoded(bytes) << "\n</DataArray>\n";
@@ -71,15 +78,17 @@ std::string VtkText::array(const std::string& type, const std::string& name, int
 
 std::string VtkText::header(const std::vector<std::size_t>& numbers) const {
     std::string bytes;
-    for (const std::uint64_t number : numbers)
+    for (const std::uint64_t number : numbers) {
         bytes.append(reinterpret_cast<const char*>(&number), style_.hasLongHeaders ? 8 : 4);
+    }
     return bytes;
 }
 
 std::string VtkText::encoded(const std::string& bytes) const {
     const bool isBase64 = style_.format != Format::appendedRaw;
-    if (style_.isCompressed)
+    if (style_.isCompressed) {
         return compressed(bytes, isBase64);
+    }
     const std::string all = header({bytes.size()}) + bytes;
     return isBase64 ? base64(all) : all;
 }
@@ -101,15 +110,18 @@ std::string VtkText::compressed(const std::string& bytes, bool isBase64) const {
 std::string VtkText::file(const std::string& type, const std::string& content) const {
     std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"" + type +
                        "\" version=\"0.1\" byte_order=\"LittleEndian\"";
-    if (style_.hasLongHeaders)
+    if (style_.hasLongHeaders) {
         text += " header_type=\"UInt64\"";
-    if (style_.isCompressed)
+    }
+    if (style_.isCompressed) {
         text += " compressor=\"vtkZLibDataCompressor\"";
+    }
     text += ">\n<" + type + ">\n" + content + "</" + type + ">\n";
-    if (!appended_.empty())
+    if (!appended_.empty()) {
         text += std::string("<AppendedData encoding=\"") +
                 (style_.format == Format::appendedRaw ? "raw" : "base64") + "\">\n _" + appended_ +
                 "\n</AppendedData>\n";
+    }
     return text + "</VTKFile>\n";
 }
 

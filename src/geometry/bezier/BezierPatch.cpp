@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/bezier/BezierPatch.hpp"
 
 #include <array>
@@ -16,8 +17,9 @@ struct Bernstein {
 /// From degree - 1 to degree.
 void raise(Row& b, int degree, double t) {
     b[degree] = t * b[degree - 1];
-    for (int i = degree - 1; i > 0; --i)
+    for (int i = degree - 1; i > 0; --i) {
         b[i] = (1 - t) * b[i] + t * b[i - 1];
+    }
     b[0] *= 1 - t;
 }
 
@@ -29,17 +31,21 @@ Bernstein bernstein(int p, double t, double length) {
     };
     Row row;
     row[0] = 1;
-    for (int degree = 1; degree <= p - 2; ++degree)
+    for (int degree = 1; degree <= p - 2; ++degree) {
         raise(row, degree, t);
-    for (int i = 0; i <= p; ++i)
+    }
+    for (int i = 0; i <= p; ++i) {
         b.second[i] =
             p < 2 ? 0
                   : p * (p - 1) / (length * length) *
                         (at(row, i - 2, p - 2) - 2 * at(row, i - 1, p - 2) + at(row, i, p - 2));
-    if (p >= 2)
+    }
+    if (p >= 2) {
         raise(row, p - 1, t);
-    for (int i = 0; i <= p; ++i)
+    }
+    for (int i = 0; i <= p; ++i) {
         b.first[i] = p / length * (at(row, i - 1, p - 1) - at(row, i, p - 1));
+    }
     raise(row, p, t);
     b.values = row;
     return b;
@@ -80,8 +86,9 @@ BezierPatch::Derivatives BezierPatch::derivatives(const Eigen::Vector2d& paramet
         sums.row(5) += v.second[j] * row;
     }
     Derivatives d = sums.leftCols<3>();
-    if (!isRational_)
+    if (!isRational_) {
         return d;
+    }
     // Quotient rule, order by order.
     const auto w = sums.col(3);
     d.row(0) /= w[0];

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/bezier/PlaneBezier.hpp"
 
 #include "common/errors.hpp"
 #include "geometry/bezier/bezierPieces.hpp"
 #include "geometry/bezier/parameterCrossings.hpp"
 #include "geometry/spline/rational.hpp"
+
 #include <fmt/format.h>
 
 namespace tokay::geometry {
@@ -23,17 +25,20 @@ Controls homogeneousControls(const NurbsCurve& piece) {
 
 /// One step of de Casteljau's algorithm on the first n + 1 columns.
 void contract(Controls& c, int n, double t) {
-    for (int i = 0; i < n; ++i)
+    for (int i = 0; i < n; ++i) {
         c.col(i) += t * (c.col(i + 1) - c.col(i));
+    }
 }
 
 /// Bernstein coefficients of a product.
 Eigen::VectorXd product(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
     const int m = static_cast<int>(a.size()) - 1, n = static_cast<int>(b.size()) - 1;
     Eigen::VectorXd c = Eigen::VectorXd::Zero(m + n + 1);
-    for (int i = 0; i <= m; ++i)
-        for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= m; ++i) {
+        for (int j = 0; j <= n; ++j) {
             c[i + j] += binomial(m, i) * binomial(n, j) / binomial(m + n, i + j) * a[i] * b[j];
+        }
+    }
     return c;
 }
 
@@ -62,8 +67,9 @@ void appendChords(const PlaneBezier& piece, const Parameters& tolerance, int dep
         points.push_back(piece.start());
         return;
     }
-    for (const PlaneBezier& half : piece.split(0.5))
+    for (const PlaneBezier& half : piece.split(0.5)) {
         appendChords(half, tolerance, depth + 1, points);
+    }
 }
 
 } // namespace
@@ -72,26 +78,30 @@ PlaneBezier::PlaneBezier(Controls controls)
     : controls_(std::move(controls)), start_(controlPoint(0)), end_(controlPoint(degree())) {}
 
 std::vector<PlaneBezier> PlaneBezier::piecesOf(const NurbsCurve& curve) {
-    if (curve.degree() > maxDegree)
+    if (curve.degree() > maxDegree) {
         throw InputError(fmt::format("A trimming curve has degree {}; at most {} is possible.",
                                      curve.degree(), maxDegree));
+    }
     std::vector<PlaneBezier> pieces;
-    for (const NurbsCurve& piece : bezierPieces(curve))
+    for (const NurbsCurve& piece : bezierPieces(curve)) {
         pieces.emplace_back(homogeneousControls(piece));
+    }
     return pieces;
 }
 
 Parameters PlaneBezier::point(double t) const {
     Controls c = controls_;
-    for (int n = degree(); n > 0; --n)
+    for (int n = degree(); n > 0; --n) {
         contract(c, n, t);
+    }
     return c.col(0).head<2>() / c(2, 0);
 }
 
 PlaneBezier::Tangent PlaneBezier::tangent(double t) const {
     Controls c = controls_;
-    for (int n = degree(); n > 1; --n)
+    for (int n = degree(); n > 1; --n) {
         contract(c, n, t);
+    }
     const Eigen::Vector3d slope = degree() * (c.col(1) - c.col(0));
     contract(c, 1, t);
     const Parameters point = c.col(0).head<2>() / c(2, 0);
@@ -134,8 +144,9 @@ PlaneBezier PlaneBezier::scaled(const Parameters& origin, const Parameters& scal
     const auto map = [&](const Parameters& point) {
         return Parameters((point - origin).cwiseProduct(scale));
     };
-    for (int i = 0; i <= degree(); ++i)
+    for (int i = 0; i <= degree(); ++i) {
         result.controls_.col(i).head<2>() = controls_(2, i) * map(controlPoint(i));
+    }
     result.start_ = map(start_);
     result.end_ = map(end_);
     return result;
@@ -151,15 +162,17 @@ ParameterBox PlaneBezier::box() const {
 }
 
 std::vector<double> PlaneBezier::extrema(int axis) const {
-    if (degree() == 1)
+    if (degree() == 1) {
         return {};
+    }
     // Roots of X' W - X W', the numerator of the derivative of X / W. Seen from
     // the middle of the curve fewer digits cancel.
     const double middle = point(0.5)[axis];
     const Eigen::VectorXd W = controls_.row(2).transpose();
     const Eigen::VectorXd X = controls_.row(axis).transpose() - middle * W;
-    if (X.cwiseAbs().maxCoeff() <= 1e-15 * std::abs(middle) * W.maxCoeff())
+    if (X.cwiseAbs().maxCoeff() <= 1e-15 * std::abs(middle) * W.maxCoeff()) {
         return {}; // constant but for rounding
+    }
     const Eigen::VectorXd numerator = product(derivative(X), W) - product(X, derivative(W));
     Points points = Points::Zero(numerator.size(), 3);
     points.col(0) = numerator;
@@ -170,12 +183,15 @@ std::vector<double> PlaneBezier::extrema(int axis) const {
 double PlaneBezier::parameterAt(int axis, double value) const {
     const double first = start()[axis], last = end()[axis];
     const double sign = last >= first ? 1 : -1;
-    if (sign * (value - first) <= 0)
+    if (sign * (value - first) <= 0) {
         return 0;
-    if (sign * (value - last) >= 0)
+    }
+    if (sign * (value - last) >= 0) {
         return 1;
-    if (degree() == 1 && controls_(2, 0) == controls_(2, 1))
+    }
+    if (degree() == 1 && controls_(2, 0) == controls_(2, 1)) {
         return (value - first) / (last - first);
+    }
     // Newton's iteration, or halving where it leaves the bracket.
     double from = 0, to = 1, t = (value - first) / (last - first);
     for (int iteration = 0; iteration < 100; ++iteration) {
@@ -183,10 +199,12 @@ double PlaneBezier::parameterAt(int axis, double value) const {
         const double miss = sign * (at.point[axis] - value);
         (miss > 0 ? to : from) = t;
         double next = t - miss / (sign * at.derivative[axis]);
-        if (!(next > from && next < to))
+        if (!(next > from && next < to)) {
             next = 0.5 * (from + to);
-        if (miss == 0 || std::abs(next - t) <= 1e-16 || next == t)
+        }
+        if (miss == 0 || std::abs(next - t) <= 1e-16 || next == t) {
             return t;
+        }
         t = next;
     }
     return t;

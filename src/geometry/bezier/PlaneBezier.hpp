@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "geometry/spline/NurbsCurve.hpp"
 #include "geometry/spline/Parameters.hpp"
+
 #include <array>
 
 namespace tokay::geometry {

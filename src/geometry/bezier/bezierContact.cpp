@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/bezier/bezierContact.hpp"
 
 #include <limits>
@@ -41,8 +42,9 @@ bool areApart(const PlaneBezier& a, const PlaneBezier& b, double tolerance) {
         {1, 0}, {0, 1}, normal(a.end() - a.start()), normal(b.end() - b.start())};
     for (const Parameters& axis : axes) {
         const Range ofA = range(a, axis, a.start()), ofB = range(b, axis, a.start());
-        if (ofA.upper + tolerance < ofB.lower || ofB.upper + tolerance < ofA.lower)
+        if (ofA.upper + tolerance < ofB.lower || ofB.upper + tolerance < ofA.lower) {
             return true;
+        }
     }
     return false;
 }
@@ -58,10 +60,12 @@ bool areApartBesideJoint(const PlaneBezier& a, const PlaneBezier& b, double tole
         const Range ofA = range(a, axis, joint), ofB = range(b, axis, joint);
         const bool aBelow = ofA.upper <= slack && ofB.lower >= -slack;
         const bool bBelow = ofB.upper <= slack && ofA.lower >= -slack;
-        if (aBelow && std::max(-ofA.lower, ofB.upper) > tolerance)
+        if (aBelow && std::max(-ofA.lower, ofB.upper) > tolerance) {
             return true;
-        if (bBelow && std::max(-ofB.lower, ofA.upper) > tolerance)
+        }
+        if (bBelow && std::max(-ofB.lower, ofA.upper) > tolerance) {
             return true;
+        }
     }
     return false;
 }
@@ -69,19 +73,25 @@ bool areApartBesideJoint(const PlaneBezier& a, const PlaneBezier& b, double tole
 } // namespace
 
 std::optional<Parameters> contact(const PlaneBezier& a, const PlaneBezier& b, double tolerance) {
-    if (areApart(a, b, tolerance))
+    if (areApart(a, b, tolerance)) {
         return std::nullopt;
+    }
     const double sizeA = size(a), sizeB = size(b);
-    if (std::max(sizeA, sizeB) <= tolerance)
+    if (std::max(sizeA, sizeB) <= tolerance) {
         return a.start();
+    }
     if (sizeA >= sizeB) {
-        for (const PlaneBezier& half : a.split(0.5))
-            if (const auto found = contact(half, b, tolerance))
+        for (const PlaneBezier& half : a.split(0.5)) {
+            if (const auto found = contact(half, b, tolerance)) {
                 return found;
+            }
+        }
     } else {
-        for (const PlaneBezier& half : b.split(0.5))
-            if (const auto found = contact(a, half, tolerance))
+        for (const PlaneBezier& half : b.split(0.5)) {
+            if (const auto found = contact(a, half, tolerance)) {
                 return found;
+            }
+        }
     }
     return std::nullopt;
 }
@@ -92,16 +102,20 @@ std::optional<Parameters> contactBesideJoint(const PlaneBezier& a, const PlaneBe
     // The sides of a cusp are apart by the square of the distance to the joint;
     // nearer to it than this that is lost in rounding.
     constexpr double nearest = 1e-6;
-    if (areApartBesideJoint(a, b, tolerance) || smaller <= nearest)
+    if (areApartBesideJoint(a, b, tolerance) || smaller <= nearest) {
         return std::nullopt;
+    }
     const double between = std::min(tolerance, 1e-3 * smaller * smaller);
     const auto halvesA = a.split(0.5), halvesB = b.split(0.5);
-    if (const auto found = contact(halvesA[0], halvesB[0], between))
+    if (const auto found = contact(halvesA[0], halvesB[0], between)) {
         return found;
-    if (const auto found = contact(halvesA[0], halvesB[1], between))
+    }
+    if (const auto found = contact(halvesA[0], halvesB[1], between)) {
         return found;
-    if (const auto found = contact(halvesA[1], halvesB[1], between))
+    }
+    if (const auto found = contact(halvesA[1], halvesB[1], between)) {
         return found;
+    }
     return contactBesideJoint(halvesA[1], halvesB[0], tolerance);
 }
 

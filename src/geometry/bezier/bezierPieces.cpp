@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/bezier/bezierPieces.hpp"
 
 #include "geometry/spline/refinement.hpp"
@@ -29,8 +30,9 @@ std::vector<NurbsCurve> bezierPieces(const NurbsCurve& curve) {
     std::vector<NurbsCurve> pieces;
     for (int span = 0; span < curve.knotVector().nSpans(); ++span) {
         Eigen::VectorXd weights;
-        if (separated.isRational())
+        if (separated.isRational()) {
             weights = separated.weights().segment(p * span, p + 1);
+        }
         pieces.emplace_back(singleSpan(curve.knotVector(), span),
                             separated.controlPoints().middleRows(p * span, p + 1), weights);
     }
@@ -45,17 +47,21 @@ std::vector<NurbsSurface> bezierPieces(const NurbsSurface& surface) {
     std::vector<NurbsSurface> pieces;
     pieces.reserve(u.nSpans() * v.nSpans());
     std::vector<int> numbers((p + 1) * (q + 1));
-    for (int spanV = 0; spanV < v.nSpans(); ++spanV)
+    for (int spanV = 0; spanV < v.nSpans(); ++spanV) {
         for (int spanU = 0; spanU < u.nSpans(); ++spanU) {
-            for (int j = 0; j <= q; ++j)
-                for (int i = 0; i <= p; ++i)
+            for (int j = 0; j <= q; ++j) {
+                for (int i = 0; i <= p; ++i) {
                     numbers[i + (p + 1) * j] = p * spanU + i + nU * (q * spanV + j);
+                }
+            }
             Eigen::VectorXd weights;
-            if (separated.isRational())
+            if (separated.isRational()) {
                 weights = separated.weights()(numbers);
+            }
             pieces.emplace_back(singleSpan(u, spanU), singleSpan(v, spanV),
                                 separated.controlPoints()(numbers, Eigen::all), weights);
         }
+    }
     return pieces;
 }
 

@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/bezier/parameterCrossings.hpp"
 
 #include "geometry/bezier/bezierPieces.hpp"
 #include "geometry/spline/refinement.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,12 +17,14 @@ double bracketedCrossing(const NurbsCurve& piece, int axis, double value) {
     const bool rises = piece.point(to)[axis] > value;
     while (true) {
         const double middle = 0.5 * (from + to);
-        if (middle <= from || middle >= to)
+        if (middle <= from || middle >= to) {
             return to;
-        if ((piece.point(middle)[axis] > value) == rises)
+        }
+        if ((piece.point(middle)[axis] > value) == rises) {
             to = middle;
-        else
+        } else {
             from = middle;
+        }
     }
 }
 
@@ -28,10 +32,12 @@ int signChanges(const Eigen::VectorXd& coefficients) {
     int changes = 0;
     double last = 0;
     for (const double c : coefficients) {
-        if (c * last < 0)
+        if (c * last < 0) {
             ++changes;
-        if (c != 0)
+        }
+        if (c != 0) {
             last = c;
+        }
     }
     return changes;
 }
@@ -48,10 +54,12 @@ void collect(const NurbsCurve& piece, int axis, double value, int depth,
     } else if (changes > 0 && depth < deepest) {
         const KnotVector& knots = piece.knotVector();
         const double middle = 0.5 * (knots.first() + knots.last());
-        if (piece.point(middle)[axis] == value)
+        if (piece.point(middle)[axis] == value) {
             crossings.push_back(middle);
-        for (const NurbsCurve& half : bezierPieces(insertKnots(piece, {middle})))
+        }
+        for (const NurbsCurve& half : bezierPieces(insertKnots(piece, {middle}))) {
             collect(half, axis, value, depth + 1, crossings);
+        }
     }
 }
 
@@ -64,8 +72,9 @@ std::vector<double> parameterCrossings(const NurbsCurve& curve, int axis, double
         // A crossing exactly between two pieces is an end of both.
         if (piece.point(piece.knotVector().first())[axis] == value &&
             signChanges(piece.controlPoints().col(axis).array() - value) == 0 &&
-            (piece.controlPoints().col(axis).array() != value).any())
+            (piece.controlPoints().col(axis).array() != value).any()) {
             crossings.push_back(piece.knotVector().first());
+        }
     }
     std::sort(crossings.begin(), crossings.end());
     crossings.erase(std::unique(crossings.begin(), crossings.end()), crossings.end());

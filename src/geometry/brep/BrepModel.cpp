@@ -1,9 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/brep/BrepModel.hpp"
 
 #include "common/errors.hpp"
-#include <algorithm>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include <algorithm>
 #include <set>
 
 namespace tokay::geometry {
@@ -12,33 +15,38 @@ namespace {
 
 void requireUnique(const std::vector<std::string>& names, const char* kind) {
     std::set<std::string> seen;
-    for (const std::string& name : names)
-        if (!seen.insert(name).second)
+    for (const std::string& name : names) {
+        if (!seen.insert(name).second) {
             throw InputError(fmt::format("Two {}s of the model are named \"{}\": give each its own "
                                          "name.",
                                          kind, name));
+        }
+    }
 }
 
 int numberOf(const std::string& name, const std::vector<std::string>& names, const char* kind) {
     const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end())
+    if (found == names.end()) {
         throw InputError(
             fmt::format("The model has no {} \"{}\"; it has {}.", kind, name,
                         names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
+    }
     return static_cast<int>(found - names.begin());
 }
 
 std::vector<std::string> namesOf(const std::vector<BrepFace>& faces) {
     std::vector<std::string> names;
-    for (const BrepFace& face : faces)
+    for (const BrepFace& face : faces) {
         names.push_back(face.patch.name());
+    }
     return names;
 }
 
 std::vector<std::string> namesOf(const std::vector<BrepEdge>& edges) {
     std::vector<std::string> names;
-    for (const BrepEdge& edge : edges)
+    for (const BrepEdge& edge : edges) {
         names.push_back(edge.name);
+    }
     return names;
 }
 
@@ -46,9 +54,11 @@ std::vector<std::string> namesOf(const std::vector<BrepEdge>& edges) {
 std::vector<double> samples(const CurveOnSurface& curve, int perRange) {
     const std::vector<double>& breakpoints = curve.breakpoints();
     std::vector<double> result = {breakpoints.front()};
-    for (std::size_t i = 0; i + 1 < breakpoints.size(); ++i)
-        for (int k = 1; k <= perRange; ++k)
+    for (std::size_t i = 0; i + 1 < breakpoints.size(); ++i) {
+        for (int k = 1; k <= perRange; ++k) {
             result.push_back(breakpoints[i] + (breakpoints[i + 1] - breakpoints[i]) * k / perRange);
+        }
+    }
     return result;
 }
 
@@ -69,28 +79,33 @@ void include(const CurveOnSurface& from, const CurveOnSurface& to, EdgeGap& gap)
 
 BrepModel::BrepModel(std::vector<BrepFace> faces, std::vector<BrepEdge> edges, double tolerance)
     : faces_(std::move(faces)), edges_(std::move(edges)), tolerance_(tolerance) {
-    if (faces_.empty())
+    if (faces_.empty()) {
         throw InputError("The model has no face: give it at least one.");
+    }
     requireUnique(namesOf(faces_), "face");
     requireUnique(namesOf(edges_), "edge");
-    for (const BrepEdge& edge : edges_)
+    for (const BrepEdge& edge : edges_) {
         for (const BrepTrim& trim : edge.trims) {
-            if (trim.face < 0 || trim.face >= static_cast<int>(faces_.size()))
+            if (trim.face < 0 || trim.face >= static_cast<int>(faces_.size())) {
                 throw InputError(fmt::format("Edge \"{}\" names face {}, but the model has {} "
                                              "(numbers start at 0).",
                                              edge.name, trim.face, faces_.size()));
-            if (trim.curve < 0 || trim.curve >= nCurves(trim.face))
+            }
+            if (trim.curve < 0 || trim.curve >= nCurves(trim.face)) {
                 throw InputError(fmt::format("Edge \"{}\" names curve {} of face \"{}\", which has "
                                              "{} (numbers start at 0).",
                                              edge.name, trim.curve, patch(trim.face).name(),
                                              nCurves(trim.face)));
+            }
         }
+    }
 }
 
 double BrepModel::size() const {
     Box box = Box::empty();
-    for (const BrepFace& face : faces_)
+    for (const BrepFace& face : faces_) {
         box.include(Box::around(face.patch.surface().controlPoints()));
+    }
     return box.diagonal();
 }
 
@@ -104,16 +119,18 @@ int BrepModel::edgeNumber(const std::string& name) const {
 
 int BrepModel::nCurves(int face) const {
     std::size_t n = faces_[face].embeddedCurves.size();
-    for (const TrimmingLoop& loop : patch(face).loops())
+    for (const TrimmingLoop& loop : patch(face).loops()) {
         n += loop.curves().size();
+    }
     return static_cast<int>(n);
 }
 
 const NurbsCurve& BrepModel::curve(int face, int number) const {
     std::size_t left = number;
     for (const TrimmingLoop& loop : patch(face).loops()) {
-        if (left < loop.curves().size())
+        if (left < loop.curves().size()) {
             return loop.curves()[left];
+        }
         left -= loop.curves().size();
     }
     return faces_[face].embeddedCurves[left];
@@ -127,8 +144,9 @@ std::vector<EdgeGap> BrepModel::gaps() const {
     std::vector<EdgeGap> gaps;
     for (std::size_t number = 0; number < edges_.size(); ++number) {
         const std::vector<BrepTrim>& trims = edges_[number].trims;
-        if (trims.size() < 2)
+        if (trims.size() < 2) {
             continue;
+        }
         EdgeGap gap{static_cast<int>(number), -1, Point::Zero()};
         const CurveOnSurface first = curveInSpace(trims[0]);
         for (std::size_t i = 1; i < trims.size(); ++i) {
@@ -147,8 +165,9 @@ void BrepModel::requireGapsBelow(double limit) const {
         std::max_element(all.begin(), all.end(), [](const EdgeGap& a, const EdgeGap& b) {
             return a.distance < b.distance;
         });
-    if (worst == all.end() || worst->distance <= limit)
+    if (worst == all.end() || worst->distance <= limit) {
         return;
+    }
     throw InputError(fmt::format("The faces at edge \"{}\" are {:.3g} apart at ({:.6g}, {:.6g}, "
                                  "{:.6g}); at most {:.3g} is allowed. Correct the trimming curves, "
                                  "or allow larger gaps.",
@@ -158,9 +177,10 @@ void BrepModel::requireGapsBelow(double limit) const {
 
 BrepModel BrepModel::refined(int degreeU, int degreeV, int nDivisionsU, int nDivisionsV) const {
     std::vector<BrepFace> faces;
-    for (const BrepFace& face : faces_)
+    for (const BrepFace& face : faces_) {
         faces.push_back({face.patch.refined(degreeU, degreeV, nDivisionsU, nDivisionsV),
                          face.isNormalSwapped, face.embeddedCurves});
+    }
     return BrepModel(std::move(faces), edges_, tolerance_);
 }
 

@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "geometry/projection/BoxTree.hpp"
 #include "geometry/trimming/CurveOnSurface.hpp"
 #include "geometry/trimming/TrimmedPatch.hpp"
+
 #include <optional>
 
 namespace tokay::geometry {

@@ -1,9 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "common/errors.hpp"
+
+#include <yaml-cpp/node/node.h>
+
 #include <string>
 #include <vector>
-#include <yaml-cpp/node/node.h>
 
 namespace tokay::geometry {
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/brep/ModelProjector.hpp"
 
 #include "geometry/projection/ClosestCandidate.hpp"
@@ -14,11 +15,14 @@ ModelProjection projection(const SurfaceProjection& place, bool isOnRim) {
 
 PatchProjector::PatchProjector(const TrimmedPatch& patch)
     : patch_(patch), surface_(patch.surface()), box_(Box::around(patch.surface().controlPoints())) {
-    if (!patch.isTrimmed())
+    if (!patch.isTrimmed()) {
         return;
-    for (const TrimmingLoop& loop : patch.loops())
-        for (const NurbsCurve& curve : loop.curves())
+    }
+    for (const TrimmingLoop& loop : patch.loops()) {
+        for (const NurbsCurve& curve : loop.curves()) {
             curves_.emplace_back(curve, patch.surface());
+        }
+    }
 }
 
 bool PatchProjector::isOnRectangle(const SurfaceProjection& place) const {
@@ -29,14 +33,16 @@ bool PatchProjector::isOnRectangle(const SurfaceProjection& place) const {
 
 ModelProjection PatchProjector::closest(const Point& point) const {
     const SurfaceProjection anywhere = surface_.closest(point);
-    if (!patch_.isTrimmed() || patch_.contains({anywhere.xi, anywhere.eta}))
+    if (!patch_.isTrimmed() || patch_.contains({anywhere.xi, anywhere.eta})) {
         return projection(anywhere, isOnRectangle(anywhere));
+    }
     // The closest place is trimmed away; another one inside, or the rim, is next.
     ModelProjection rim = closestOnLoops(point);
     const auto inside = surface_.closest(
         point, [&](const Parameters& at) { return patch_.contains(at); }, rim.distance);
-    if (!inside)
+    if (!inside) {
         return rim;
+    }
     ClosestCandidate candidate(box_.diagonal());
     candidate.offer(patch_.surface().point(rim.xi, rim.eta) - point);
     candidate.offer(patch_.surface().point(inside->xi, inside->eta) - point);
@@ -54,8 +60,9 @@ ModelProjection PatchProjector::closestOnLoops(const Point& point) const {
     for (const CurveOnSurface& curve : curves_) {
         const CurveProjection found = curve.closest(point);
         const Point place = curve.derivatives(found.xi, 0).row(0);
-        if (!candidate.offer(place - point))
+        if (!candidate.offer(place - point)) {
             continue;
+        }
         const Point at = curve.parameterCurve().point(found.xi);
         best = {0, at[0], at[1], found.distance, found.converged, found.ambiguous, true};
     }
@@ -92,8 +99,9 @@ ModelProjection ModelProjector::closest(const Point& point) const {
 std::vector<ModelProjection> ModelProjector::closestOfAll(const Points& points) const {
     std::vector<ModelProjection> projections;
     projections.reserve(points.rows());
-    for (Eigen::Index i = 0; i < points.rows(); ++i)
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
         projections.push_back(closest(Point(points.row(i))));
+    }
     return projections;
 }
 

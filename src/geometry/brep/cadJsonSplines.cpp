@@ -1,10 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/brep/cadJsonSplines.hpp"
 
 #include "geometry/spline/curveParts.hpp"
 #include "geometry/spline/openSpline.hpp"
 #include "geometry/spline/rational.hpp"
-#include <array>
+
 #include <fmt/format.h>
+
+#include <array>
 
 namespace tokay::geometry {
 
@@ -18,17 +21,20 @@ Eigen::MatrixXd readControlPoints(const CadJsonNode& owner) {
     Eigen::MatrixXd rows(items.size(), 4);
     for (std::size_t i = 0; i < items.size(); ++i) {
         const std::vector<CadJsonNode> parts = items[i].items();
-        if (parts.empty() || parts.size() > 2)
+        if (parts.empty() || parts.size() > 2) {
             throw items[i].error("a control point is given as [number, [x, y, z, weight]].");
+        }
         const std::vector<double> values = parts.back().numbers(4);
-        if (!(values[3] > 0))
+        if (!(values[3] > 0)) {
             throw parts.back().error(
                 fmt::format("the weight is {}, but must be positive.", values[3]));
+        }
         rows.row(i) = Eigen::RowVector4d::Map(values.data());
-        if (!mayBeRational && values[3] != rows(0, 3))
+        if (!mayBeRational && values[3] != rows(0, 3)) {
             throw parts.back().error(fmt::format("the weight is {}, the first one {}, but "
                                                  "\"is_rational\" is false: correct one of them.",
                                                  values[3], rows(0, 3)));
+        }
     }
     return rows;
 }
@@ -44,8 +50,9 @@ Eigen::MatrixXd homogeneousRows(const Eigen::MatrixXd& rows) {
 std::pair<Points, Eigen::VectorXd> pointsAndWeights(const Eigen::MatrixXd& rows,
                                                     const Eigen::MatrixXd& given) {
     const bool isSame = rows.rows() == given.rows() && rows == homogeneousRows(given);
-    if (isSame)
+    if (isSame) {
         return {given.leftCols(3), given.col(3)};
+    }
     return dehomogenised(rows);
 }
 
@@ -55,14 +62,18 @@ SplineCoefficients openDirection(int degree, const std::vector<double>& knots,
                                  const Eigen::MatrixXd& net, Eigen::Index n) {
     const Eigen::Index other = net.rows() / n;
     Eigen::MatrixXd lines(n, 4 * other);
-    for (Eigen::Index j = 0; j < other; ++j)
-        for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index j = 0; j < other; ++j) {
+        for (Eigen::Index i = 0; i < n; ++i) {
             lines.block<1, 4>(i, 4 * j) = net.row(i + n * j);
+        }
+    }
     SplineCoefficients opened = openSpline(degree, knots, lines);
     Eigen::MatrixXd turned(opened.rows.rows() * other, 4);
-    for (Eigen::Index i = 0; i < opened.rows.rows(); ++i)
-        for (Eigen::Index j = 0; j < other; ++j)
+    for (Eigen::Index i = 0; i < opened.rows.rows(); ++i) {
+        for (Eigen::Index j = 0; j < other; ++j) {
             turned.row(j + other * i) = opened.rows.block<1, 4>(i, 4 * j);
+        }
+    }
     return {std::move(opened.knots), std::move(turned)};
 }
 
@@ -74,8 +85,9 @@ std::array<Eigen::Index, 2> netSize(const CadJsonNode& surface, const std::vecto
     for (const int more : {1, -1}) {
         const auto nU = static_cast<Eigen::Index>(knots[0].size()) - degrees[0] - more;
         const auto nV = static_cast<Eigen::Index>(knots[1].size()) - degrees[1] - more;
-        if (nU > 0 && nV > 0 && nU * nV == total)
+        if (nU > 0 && nV > 0 && nU * nV == total) {
             return {nU, nV};
+        }
     }
     throw surface.error(
         fmt::format("there are {} control points, but degrees {} and {} with {} "
@@ -96,25 +108,30 @@ NurbsCurve readCurve(const CadJsonNode& node) {
         auto [points, weights] = pointsAndWeights(spline.rows, rows);
         return NurbsCurve(spline.knots, std::move(points), std::move(weights));
     });
-    if (!node.has("active_range"))
+    if (!node.has("active_range")) {
         return curve;
+    }
     const CadJsonNode active = node.child("active_range");
     const std::vector<double> range = active.numbers(2);
-    if (range[0] == curve.knotVector().first() && range[1] == curve.knotVector().last())
+    if (range[0] == curve.knotVector().first() && range[1] == curve.knotVector().last()) {
         return curve;
+    }
     return active.make([&] { return partOf(curve, range[0], range[1]); });
 }
 
 NurbsSurface readSurface(const CadJsonNode& node) {
     std::vector<int> degrees;
-    for (const CadJsonNode& degree : node.child("degrees").items())
+    for (const CadJsonNode& degree : node.child("degrees").items()) {
         degrees.push_back(degree.integer());
+    }
     const CadJsonNode knotVectors = node.child("knot_vectors");
     const std::vector<CadJsonNode> both = knotVectors.items();
-    if (degrees.size() != 2)
+    if (degrees.size() != 2) {
         throw node.child("degrees").error("a surface has two degrees.");
-    if (both.size() != 2)
+    }
+    if (both.size() != 2) {
         throw knotVectors.error("a surface has two knot vectors.");
+    }
     const std::array<std::vector<double>, 2> knots = {both[0].numbers(), both[1].numbers()};
     const Eigen::MatrixXd given = readControlPoints(node), net = homogeneousRows(given);
     const auto [nU, nV] = netSize(node, degrees, knots, net.rows());

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/brep/BrepModel.hpp"
 
 #include <fmt/format.h>
@@ -24,7 +25,7 @@ std::vector<Candidate> candidates(const std::vector<BrepFace>& faces) {
     std::vector<Candidate> result;
     for (std::size_t f = 0; f < faces.size(); ++f) {
         int number = 0;
-        for (const TrimmingLoop& loop : faces[f].patch.loops())
+        for (const TrimmingLoop& loop : faces[f].patch.loops()) {
             for (const NurbsCurve& curve : loop.curves()) {
                 CurveOnSurface inSpace(curve, faces[f].patch.surface());
                 const Point start = pointAt(inSpace, 0), end = pointAt(inSpace, 1);
@@ -35,6 +36,7 @@ std::vector<Candidate> candidates(const std::vector<BrepFace>& faces) {
                                   end});
                 ++number;
             }
+        }
     }
     return result;
 }
@@ -49,8 +51,9 @@ bool liesOn(const CurveOnSurface& a, const CurveOnSurface& b, double tolerance) 
     constexpr int nSamples = 17;
     for (int i = 0; i < nSamples; ++i) {
         const Point point = pointAt(a, static_cast<double>(i) / (nSamples - 1));
-        if (b.closest(point).distance > tolerance)
+        if (b.closest(point).distance > tolerance) {
             return false;
+        }
     }
     return true;
 }
@@ -74,10 +77,11 @@ std::vector<BrepEdge> coincidentEdges(const std::vector<BrepFace>& faces, double
     std::vector<Candidate> all = candidates(faces);
     std::vector<BrepEdge> edges;
     for (std::size_t i = 0; i < all.size(); ++i) {
-        if (all[i].isTaken || isPoint(all[i].curve, tolerance))
+        if (all[i].isTaken || isPoint(all[i].curve, tolerance)) {
             continue;
+        }
         BrepEdge edge{all[i].name, {all[i].trim}};
-        for (std::size_t j = i + 1; j < all.size(); ++j)
+        for (std::size_t j = i + 1; j < all.size(); ++j) {
             if (!all[j].isTaken && sharesEnds(all[i], all[j], tolerance) &&
                 liesOn(all[i].curve, all[j].curve, tolerance)) {
                 BrepTrim trim = all[j].trim;
@@ -86,6 +90,7 @@ std::vector<BrepEdge> coincidentEdges(const std::vector<BrepFace>& faces, double
                 edge.trims.push_back(trim);
                 all[j].isTaken = true;
             }
+        }
         edges.push_back(std::move(edge));
     }
     return edges;

@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/brep/cadJson.hpp"
-
 #include "geometry/brep/cadJsonSplines.hpp"
 #include "geometry/spline/curveParts.hpp"
+
 #include <fmt/format.h>
+
 #include <map>
 
 namespace tokay::geometry {
@@ -10,8 +12,9 @@ namespace tokay::geometry {
 namespace {
 
 std::string nameOf(const CadJsonNode& node) {
-    if (node.has("brep_name"))
+    if (node.has("brep_name")) {
         return node.child("brep_name").text();
+    }
     return std::to_string(node.child("brep_id").integer());
 }
 
@@ -39,14 +42,18 @@ class FaceReader {
         const std::string name = nameOf(node_);
         const NurbsSurface surface = readSurface(node_.child("surface"));
         std::vector<TrimmingLoop> loops;
-        for (const CadJsonNode& loop : node_.itemsOf("boundary_loops"))
+        for (const CadJsonNode& loop : node_.itemsOf("boundary_loops")) {
             loops.push_back(readLoop(loop));
+        }
         std::vector<NurbsCurve> embedded;
-        for (const CadJsonNode& loop : node_.itemsOf("embedded_loops"))
-            for (const CadJsonNode& curve : loop.child("trimming_curves").items())
+        for (const CadJsonNode& loop : node_.itemsOf("embedded_loops")) {
+            for (const CadJsonNode& curve : loop.child("trimming_curves").items()) {
                 embedded.push_back(readCounted(curve));
-        for (const CadJsonNode& curve : node_.itemsOf("embedded_edges"))
+            }
+        }
+        for (const CadJsonNode& curve : node_.itemsOf("embedded_edges")) {
             embedded.push_back(readCounted(curve));
+        }
         const bool isSwapped =
             node_.has("swapped_surface_normal") && node_.child("swapped_surface_normal").boolean();
         return node_.make([&] {
@@ -62,9 +69,10 @@ class FaceReader {
     NurbsCurve readCounted(const CadJsonNode& node) {
         const int number = static_cast<int>(trims_.size());
         NumberedCurve trim = readTrim(node, number);
-        if (!trims_.emplace(trim.trimIndex, number).second)
+        if (!trims_.emplace(trim.trimIndex, number).second) {
             throw node.error(
                 fmt::format("the trim_index {} occurs twice in this face.", trim.trimIndex));
+        }
         return std::move(trim.curve);
     }
 
@@ -72,14 +80,16 @@ class FaceReader {
         LoopKind kind = LoopKind::outer;
         if (node.has("loop_type")) {
             const CadJsonNode type = node.child("loop_type");
-            if (type.text() != "outer" && type.text() != "inner")
+            if (type.text() != "outer" && type.text() != "inner") {
                 throw type.error(
                     fmt::format("the loop type \"{}\" must be outer or inner.", type.text()));
+            }
             kind = type.text() == "outer" ? LoopKind::outer : LoopKind::inner;
         }
         std::vector<NurbsCurve> curves;
-        for (const CadJsonNode& curve : node.child("trimming_curves").items())
+        for (const CadJsonNode& curve : node.child("trimming_curves").items()) {
             curves.push_back(readCounted(curve));
+        }
         return node.make([&] { return TrimmingLoop(kind, curves); });
     }
 
@@ -91,21 +101,27 @@ class ModelReader {
   public:
     CadJson read(const CadJsonNode& root) {
         const std::vector<CadJsonNode> breps = root.child("breps").items();
-        for (const CadJsonNode& brep : breps)
-            for (const CadJsonNode& face : brep.itemsOf("faces"))
+        for (const CadJsonNode& brep : breps) {
+            for (const CadJsonNode& face : brep.itemsOf("faces")) {
                 readFace(face);
-        if (faces_.empty())
+            }
+        }
+        if (faces_.empty()) {
             throw root.child("breps").error("there is no face in any brep.");
+        }
         std::vector<BrepEdge> edges;
         for (const CadJsonNode& brep : breps) {
-            for (const CadJsonNode& edge : brep.itemsOf("edges"))
+            for (const CadJsonNode& edge : brep.itemsOf("edges")) {
                 edges.push_back(readEdge(edge));
-            if (const std::size_t n = brep.itemsOf("vertices").size())
+            }
+            if (const std::size_t n = brep.itemsOf("vertices").size()) {
                 notes_.push_back(brep.error(fmt::format("{} vertices are not used.", n)).what());
+            }
         }
         double tolerance = 0;
-        if (root.has("tolerances") && root.child("tolerances").has("model_tolerance"))
+        if (root.has("tolerances") && root.child("tolerances").has("model_tolerance")) {
             tolerance = root.child("tolerances").child("model_tolerance").number();
+        }
         BrepModel model =
             root.make([&] { return BrepModel(std::move(faces_), std::move(edges), tolerance); });
         checkDirections(model);
@@ -116,31 +132,36 @@ class ModelReader {
     void readFace(const CadJsonNode& node) {
         FaceReader reader(node);
         BrepFace face = reader.read();
-        if (!numbers_.emplace(face.patch.name(), static_cast<int>(faces_.size())).second)
+        if (!numbers_.emplace(face.patch.name(), static_cast<int>(faces_.size())).second) {
             throw node.error(fmt::format("two faces are named \"{}\".", face.patch.name()));
+        }
         trims_.push_back(reader.trims());
         faces_.push_back(std::move(face));
     }
 
     BrepEdge readEdge(const CadJsonNode& node) {
         BrepEdge edge{nameOf(node), {}};
-        if (node.has("3d_curve"))
+        if (node.has("3d_curve")) {
             edge.curve = readCurve(node.child("3d_curve"));
-        for (const CadJsonNode& trim : node.itemsOf("topology"))
+        }
+        for (const CadJsonNode& trim : node.itemsOf("topology")) {
             edge.trims.push_back(readTopology(trim));
+        }
         return edge;
     }
 
     BrepTrim readTopology(const CadJsonNode& node) const {
         const std::string name = nameOf(node);
         const auto face = numbers_.find(name);
-        if (face == numbers_.end())
+        if (face == numbers_.end()) {
             throw node.error(fmt::format("there is no face \"{}\".", name));
+        }
         const CadJsonNode index = node.child("trim_index");
         const auto curve = trims_[face->second].find(index.integer());
-        if (curve == trims_[face->second].end())
+        if (curve == trims_[face->second].end()) {
             throw index.error(fmt::format("the face \"{}\" has no curve of trim_index {}.", name,
                                           index.integer()));
+        }
         const bool isForward =
             !node.has("relative_direction") || node.child("relative_direction").boolean();
         return {face->second, curve->second, isForward};
@@ -150,21 +171,24 @@ class ModelReader {
     void checkDirections(BrepModel& model) {
         std::vector<BrepEdge> edges = model.edges();
         bool changed = false;
-        for (BrepEdge& edge : edges)
+        for (BrepEdge& edge : edges) {
             for (std::size_t i = 1; i < edge.trims.size(); ++i) {
                 const bool isAlong =
                     runsAlong(model.curveInSpace(edge.trims[0]), model.curveInSpace(edge.trims[i]));
                 const bool isForward = isAlong == edge.trims[0].isForward;
-                if (isForward == edge.trims[i].isForward)
+                if (isForward == edge.trims[i].isForward) {
                     continue;
+                }
                 notes_.push_back(fmt::format("Edge \"{}\": relative_direction contradicts the "
                                              "curves, which are followed.",
                                              edge.name));
                 edge.trims[i].isForward = isForward;
                 changed = true;
             }
-        if (changed)
+        }
+        if (changed) {
             model = BrepModel(model.faces(), std::move(edges), model.tolerance());
+        }
     }
 
     std::vector<BrepFace> faces_;

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "common/OutputFile.hpp"
 #include "geometry/brep/cadJson.hpp"
 
-#include "common/OutputFile.hpp"
-#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include <algorithm>
 
 namespace tokay::geometry {
 
@@ -16,8 +18,9 @@ std::string text(const std::vector<double>& values) {
 
 std::string quoted(const std::string& name) {
     std::string result = "\"";
-    for (const char c : name)
+    for (const char c : name) {
         result += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
+    }
     return result + "\"";
 }
 
@@ -29,10 +32,12 @@ const char* text(bool value) {
 class Writer {
   public:
     explicit Writer(const BrepModel& model) : model_(model) {
-        for (const BrepFace& face : model.faces())
+        for (const BrepFace& face : model.faces()) {
             nextId_ = std::max(nextId_, idOf(face.patch.name()) + 1);
-        for (const BrepEdge& edge : model.edges())
+        }
+        for (const BrepEdge& edge : model.edges()) {
             nextId_ = std::max(nextId_, idOf(edge.name) + 1);
+        }
     }
 
     std::string write() {
@@ -40,11 +45,13 @@ class Writer {
                                        "\"version_number\": 1,\n\"breps\": [{{\n\"brep_id\": {},\n"
                                        "\"faces\": [",
                                        model_.tolerance(), nextId_++);
-        for (std::size_t i = 0; i < model_.faces().size(); ++i)
+        for (std::size_t i = 0; i < model_.faces().size(); ++i) {
             text += (i > 0 ? ", " : "") + face(static_cast<int>(i));
+        }
         text += "],\n\"edges\": [";
-        for (std::size_t i = 0; i < model_.edges().size(); ++i)
+        for (std::size_t i = 0; i < model_.edges().size(); ++i) {
             text += (i > 0 ? ", " : "") + edge(model_.edges()[i]);
+        }
         return text + "],\n\"vertices\": []\n}]\n}\n";
     }
 
@@ -59,24 +66,27 @@ class Writer {
 
     std::string identity(const std::string& name) {
         const int id = idOf(name);
-        if (id > 0 || name == "0")
+        if (id > 0 || name == "0") {
             return fmt::format("\"brep_id\": {}", id);
+        }
         return fmt::format("\"brep_id\": {}, \"brep_name\": {}", nextId_++, quoted(name));
     }
 
     static std::string reference(const std::string& name) {
         const int id = idOf(name);
-        if (id > 0 || name == "0")
+        if (id > 0 || name == "0") {
             return fmt::format("\"brep_id\": {}", id);
+        }
         return fmt::format("\"brep_name\": {}", quoted(name));
     }
 
     std::string controlPoints(const Points& points, const Eigen::VectorXd& weights) {
         std::string text = "\"control_points\": [";
-        for (Eigen::Index i = 0; i < points.rows(); ++i)
+        for (Eigen::Index i = 0; i < points.rows(); ++i) {
             text += fmt::format("{}[{}, [{}, {}, {}, {}]]", i > 0 ? ",\n" : "\n", nextPoint_++,
                                 points(i, 0), points(i, 1), points(i, 2),
                                 weights.size() > 0 ? weights[i] : 1.0);
+        }
         return text + "]";
     }
 
@@ -112,26 +122,30 @@ class Writer {
             text += fmt::format("{}{{\"loop_type\": \"{}\", \"trimming_curves\": [",
                                 next > 0 ? ",\n" : "",
                                 loop.kind() == LoopKind::outer ? "outer" : "inner");
-            for (std::size_t i = 0; i < loop.curves().size(); ++i)
+            for (std::size_t i = 0; i < loop.curves().size(); ++i) {
                 text += (i > 0 ? ",\n" : "\n") + trim(loop.curves()[i], next++);
+            }
             text += "]}";
         }
         text += "],\n\"embedded_loops\": [], \"embedded_edges\": [";
-        for (std::size_t i = 0; i < face.embeddedCurves.size(); ++i)
+        for (std::size_t i = 0; i < face.embeddedCurves.size(); ++i) {
             text += (i > 0 ? ",\n" : "\n") + trim(face.embeddedCurves[i], next++);
+        }
         return text + "], \"embedded_points\": []\n}";
     }
 
     std::string edge(const BrepEdge& edge) {
         std::string text = fmt::format("{{\n{},\n", identity(edge.name));
-        if (edge.curve)
+        if (edge.curve) {
             text += fmt::format("\"3d_curve\": {},\n", curve(*edge.curve));
+        }
         text += "\"topology\": [";
-        for (std::size_t i = 0; i < edge.trims.size(); ++i)
+        for (std::size_t i = 0; i < edge.trims.size(); ++i) {
             text +=
                 fmt::format("{}{{{}, \"trim_index\": {}, \"relative_direction\": {}}}",
                             i > 0 ? ", " : "", reference(model_.patch(edge.trims[i].face).name()),
                             edge.trims[i].curve, geometry::text(edge.trims[i].isForward));
+        }
         return text + "]\n}";
     }
 

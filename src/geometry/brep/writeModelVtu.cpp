@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/brep/writeModelVtu.hpp"
 
 #include "common/VtuFile.hpp"
@@ -35,11 +36,13 @@ struct Cells {
 void addFace(const BrepModel& model, int face, double tolerance, Cells& cells) {
     const PatchTriangles mesh = patchTriangles(model.patch(face), tolerance);
     const int first = cells.nPoints();
-    for (std::size_t i = 0; i < mesh.parameters.size(); ++i)
+    for (std::size_t i = 0; i < mesh.parameters.size(); ++i) {
         cells.addPoint(mesh.points.row(i), mesh.parameters[i][0], mesh.parameters[i][1]);
+    }
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        for (const int corner : mesh.triangles[i])
+        for (const int corner : mesh.triangles[i]) {
             cells.connectivity.push_back(first + corner);
+        }
         cells.endCell(triangle, face, -1, mesh.elements[i]);
     }
 }
@@ -58,10 +61,12 @@ void addEdge(const BrepModel& model, int edge, double tolerance, Cells& cells) {
 
 void addNames(const BrepModel& model, VtuFile& file) {
     std::vector<std::string> faces, edges;
-    for (const BrepFace& face : model.faces())
+    for (const BrepFace& face : model.faces()) {
         faces.push_back(face.patch.name());
-    for (const BrepEdge& edge : model.edges())
+    }
+    for (const BrepEdge& edge : model.edges()) {
         edges.push_back(edge.name);
+    }
     file.addTexts("faceNames", faces);
     file.addTexts("edgeNames", edges);
 }
@@ -71,10 +76,12 @@ void addNames(const BrepModel& model, VtuFile& file) {
 void writeModelVtu(const BrepModel& model, const std::string& path, double chordTolerance) {
     const double tolerance = chordTolerance > 0 ? chordTolerance : 1e-3 * model.size();
     Cells cells;
-    for (std::size_t face = 0; face < model.faces().size(); ++face)
+    for (std::size_t face = 0; face < model.faces().size(); ++face) {
         addFace(model, static_cast<int>(face), tolerance, cells);
-    for (std::size_t edge = 0; edge < model.edges().size(); ++edge)
+    }
+    for (std::size_t edge = 0; edge < model.edges().size(); ++edge) {
         addEdge(model, static_cast<int>(edge), tolerance, cells);
+    }
     VtuFile file;
     file.beginPiece(cells.coordinates, cells.connectivity, cells.ends, cells.types);
     addNames(model, file);

@@ -1,9 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/primitives/primitives.hpp"
 
 #include "common/errors.hpp"
+
 #include <Eigen/Geometry>
-#include <cmath>
 #include <fmt/format.h>
+
+#include <cmath>
 
 namespace tokay::geometry {
 
@@ -12,8 +15,9 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 
 void checkPositive(double value, const char* name) {
-    if (!(value > 0) || !std::isfinite(value))
+    if (!(value > 0) || !std::isfinite(value)) {
         throw InputError(fmt::format("The {} is {}: it must be positive.", name, value));
+    }
 }
 
 KnotVector linear() {
@@ -31,14 +35,16 @@ struct UnitArc {
 UnitArc unitArc(double startAngle, double endAngle) {
     const double angle = endAngle - startAngle;
     checkPositive(angle, "arc's angle (end minus start)");
-    if (angle > 2 * pi * (1 + 1e-12))
+    if (angle > 2 * pi * (1 + 1e-12)) {
         throw InputError(fmt::format("An arc of {} rad is more than a full turn.", angle));
+    }
     const int nSpans = std::max(1, static_cast<int>(std::ceil(angle / (pi / 2) * (1 - 1e-12))));
     const double half = angle / nSpans / 2;
 
     std::vector<double> knots(3, 0.0);
-    for (int i = 1; i < nSpans; ++i)
+    for (int i = 1; i < nSpans; ++i) {
         knots.insert(knots.end(), 2, static_cast<double>(i) / nSpans);
+    }
     knots.insert(knots.end(), 3, 1.0);
 
     UnitArc arc{KnotVector(2, std::move(knots)), Eigen::MatrixX2d(2 * nSpans + 1, 2),
@@ -51,8 +57,9 @@ UnitArc unitArc(double startAngle, double endAngle) {
         arc.weights[i] = i % 2 == 0 ? 1 : std::cos(half);
     }
     // A full circle closes to the last bit.
-    if (std::abs(angle - 2 * pi) <= 2 * pi * 1e-12)
+    if (std::abs(angle - 2 * pi) <= 2 * pi * 1e-12) {
         arc.points.row(2 * nSpans) = arc.points.row(0);
+    }
     return arc;
 }
 
@@ -83,10 +90,11 @@ NurbsSurface plate(const Point& origin, const Point& edgeU, const Point& edgeV) 
     checkPositive(edgeU.norm(), "length of the plate's first edge");
     checkPositive(edgeV.norm(), "length of the plate's second edge");
     const double sine = edgeU.normalized().cross(edgeV.normalized()).norm();
-    if (sine < 1e-9)
+    if (sine < 1e-9) {
         throw InputError(fmt::format("The plate's edges are parallel (the sine of their angle is "
                                      "{:.2g}): it has no area.",
                                      sine));
+    }
     Points points(4, 3);
     points << origin.transpose(), (origin + edgeU).transpose(), (origin + edgeV).transpose(),
         (origin + edgeU + edgeV).transpose();

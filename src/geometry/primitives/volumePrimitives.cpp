@@ -1,12 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/primitives/volumePrimitives.hpp"
 
 #include "common/errors.hpp"
-#include "geometry/projection/BoxTree.hpp"
 #include "geometry/primitives/primitives.hpp"
+#include "geometry/projection/BoxTree.hpp"
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <cmath>
 #include <fmt/format.h>
+
+#include <cmath>
 
 namespace tokay::geometry {
 
@@ -22,7 +25,7 @@ Point parallelPoint(const NurbsSurface& surface, double xi, double eta, double d
 /// Farthest that one surface is from the parallel of another.
 double deviation(const NurbsSurface& surface, const NurbsSurface& middle, double distance) {
     double largest = 0;
-    for (int j = 0; j <= 10; ++j)
+    for (int j = 0; j <= 10; ++j) {
         for (int i = 0; i <= 10; ++i) {
             const double s = 0.03 + 0.094 * i, t = 0.03 + 0.094 * j; // inside spans of halves too
             const double xi = (1 - s) * middle.u().first() + s * middle.u().last();
@@ -31,6 +34,7 @@ double deviation(const NurbsSurface& surface, const NurbsSurface& middle, double
                 largest,
                 (surface.point(xi, eta) - parallelPoint(middle, xi, eta, distance)).norm());
         }
+    }
     return largest;
 }
 
@@ -41,13 +45,15 @@ NurbsSurface parallel(const NurbsSurface& middle, double distance) {
     const int n = middle.nControlPoints();
     Eigen::MatrixXd functions = Eigen::MatrixXd::Zero(n, n);
     Points values(n, 3);
-    for (std::size_t j = 0, row = 0; j < eta.size(); ++j)
+    for (std::size_t j = 0, row = 0; j < eta.size(); ++j) {
         for (std::size_t i = 0; i < xi.size(); ++i, ++row) {
             const SurfaceBasis basis = middle.basis(xi[i], eta[j], 0);
-            for (std::size_t k = 0; k < basis.controlPoints.size(); ++k)
+            for (std::size_t k = 0; k < basis.controlPoints.size(); ++k) {
                 functions(row, basis.controlPoints[k]) = basis.N(0, k);
+            }
             values.row(row) = parallelPoint(middle, xi[i], eta[j], distance).transpose();
         }
+    }
     return middle.withControlPoints(functions.partialPivLu().solve(values));
 }
 
@@ -55,11 +61,12 @@ NurbsSurface exactParallel(const NurbsSurface& middle, double distance) {
     NurbsSurface surface = parallel(middle, distance);
     const double off = deviation(surface, middle, distance);
     const double rounding = 1e-13 * Box::around(middle.controlPoints()).diagonal();
-    if (!(off <= 1e-9 * std::abs(distance) + rounding))
+    if (!(off <= 1e-9 * std::abs(distance) + rounding)) {
         throw InputError(fmt::format(
             "The surface cannot be thickened exactly: its parallel at {:g} m would be off by "
             "{:.2g} m. A plane, a cylinder and a sphere can be; give others as a volume.",
             distance, off));
+    }
     return surface;
 }
 
@@ -67,9 +74,10 @@ NurbsSurface exactParallel(const NurbsSurface& middle, double distance) {
 
 NurbsVolume block(const Point& origin, const Point& size) {
     const NurbsSurface base = rectangle(origin, size[0], size[1]);
-    if (!(size[2] > 0) || !std::isfinite(size[2]))
+    if (!(size[2] > 0) || !std::isfinite(size[2])) {
         throw InputError(
             fmt::format("The size of the block along z is {}: it must be positive.", size[2]));
+    }
     Points points(8, 3);
     points << base.controlPoints(),
         base.controlPoints().rowwise() + Eigen::RowVector3d(0, 0, size[2]);
@@ -77,8 +85,9 @@ NurbsVolume block(const Point& origin, const Point& size) {
 }
 
 NurbsVolume thickened(const NurbsSurface& middle, double thickness) {
-    if (!(thickness > 0) || !std::isfinite(thickness))
+    if (!(thickness > 0) || !std::isfinite(thickness)) {
         throw InputError(fmt::format("The thickness is {}: it must be positive.", thickness));
+    }
     const NurbsSurface back = exactParallel(middle, -0.5 * thickness);
     const NurbsSurface front = exactParallel(middle, 0.5 * thickness);
     Points points(2 * middle.nControlPoints(), 3);

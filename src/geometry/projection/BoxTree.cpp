@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/projection/BoxTree.hpp"
 
 #include <algorithm>
@@ -45,8 +46,9 @@ BoxTree::BoxTree(const std::vector<Box>& boxes) : items_(boxes.size()), boxes_(b
     std::iota(items_.begin(), items_.end(), 0);
     nodes_.push_back({Box::empty(), 0, static_cast<int>(boxes.size()), -1});
     // Grows while it is walked: a node's children come after it.
-    for (std::size_t node = 0; node < nodes_.size(); ++node)
+    for (std::size_t node = 0; node < nodes_.size(); ++node) {
         split(static_cast<int>(node));
+    }
 }
 
 void BoxTree::split(int node) {
@@ -56,8 +58,9 @@ void BoxTree::split(int node) {
         nodes_[node].box.include(boxes_[items_[i]]);
         centres.include(boxes_[items_[i]].centre());
     }
-    if (end - begin <= leafSize)
+    if (end - begin <= leafSize) {
         return;
+    }
     int axis;
     (centres.upper - centres.lower).maxCoeff(&axis);
     const int middle = begin + (end - begin) / 2;
@@ -86,12 +89,14 @@ void BoxTree::visitNearest(const Point& point, const std::function<double(int)>&
         }
         const Node& node = nodes_[entry];
         if (node.left >= 0) {
-            for (const int child : {node.left, node.left + 1})
+            for (const int child : {node.left, node.left + 1}) {
                 queue.emplace(nodes_[child].box.squaredDistance(point), child);
+            }
             continue;
         }
-        for (int i = node.begin; i < node.end; ++i)
+        for (int i = node.begin; i < node.end; ++i) {
             queue.emplace(boxes_[items_[i]].squaredDistance(point), -1 - items_[i]);
+        }
     }
 }
 
@@ -104,13 +109,15 @@ std::vector<int> BoxTree::meeting(const std::function<bool(const Box&)>& meets) 
     while (!stack.empty()) {
         const Node& node = nodes_[stack.back()];
         stack.pop_back();
-        if (!meets(node.box))
+        if (!meets(node.box)) {
             continue;
-        if (node.left >= 0)
+        }
+        if (node.left >= 0) {
             stack.insert(stack.end(), {node.left, node.left + 1});
-        else
+        } else {
             std::copy_if(items_.begin() + node.begin, items_.begin() + node.end,
                          std::back_inserter(found), [&](int item) { return meets(boxes_[item]); });
+        }
     }
     std::sort(found.begin(), found.end());
     return found;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/projection/ClosestCandidate.hpp"
 
 namespace tokay::geometry {
@@ -19,15 +20,18 @@ bool ClosestCandidate::offer(const Point& offset) {
         ambiguous_ = false;
         return true;
     }
-    if (distance > best_.norm() + slack())
+    if (distance > best_.norm() + slack()) {
         return false;
+    }
     // Next to a joint both pieces find almost the same place: that is not a
     // second one. On a plane, slack() alone lets places differ by 1.4e-3 distances.
-    if ((offset - best_).norm() > 1e-2 * distance + 1e-6 * size_)
+    if ((offset - best_).norm() > 1e-2 * distance + 1e-6 * size_) {
         ambiguous_ = true;
+    }
     const bool isBetter = distance < best_.norm();
-    if (isBetter)
+    if (isBetter) {
         best_ = offset;
+    }
     return isBetter;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/projection/CurveProjector.hpp"
 
 #include "geometry/projection/closestOfPieces.hpp"
@@ -28,8 +29,9 @@ double start(const NurbsCurve& piece, const Point& point) {
     const double xi = from + (to - from) * std::clamp(t, 0.0, 1.0);
     const double distance = (piece.point(xi) - point).squaredNorm();
     const double toStart = (a - point).squaredNorm(), toEnd = (b - point).squaredNorm();
-    if (distance <= std::min(toStart, toEnd))
+    if (distance <= std::min(toStart, toEnd)) {
         return xi;
+    }
     return toStart < toEnd ? from : to;
 }
 
@@ -49,8 +51,9 @@ CurveProjector::CurveProjector(const NurbsCurve& curve) {
     pieces_ =
         flatPieces(curve.withControlPoints(curve.controlPoints().rowwise() - centre_.transpose()));
     std::vector<Box> boxes;
-    for (const NurbsCurve& piece : pieces_)
+    for (const NurbsCurve& piece : pieces_) {
         boxes.push_back(Box::around(piece.controlPoints()));
+    }
     tree_ = std::make_unique<BoxTree>(boxes);
 }
 

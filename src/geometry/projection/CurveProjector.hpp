@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "geometry/projection/BoxTree.hpp"
 #include "geometry/spline/NurbsCurve.hpp"
+
 #include <memory>
 
 namespace tokay::geometry {

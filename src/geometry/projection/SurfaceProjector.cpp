@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/projection/SurfaceProjector.hpp"
 
 #include "geometry/projection/ClosestCandidate.hpp"
 #include "geometry/projection/closestParameter.hpp"
 #include "geometry/projection/flatPieces.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -30,11 +32,12 @@ struct ParameterRange {
     ParameterRange quarter(int i) const {
         const Parameters middle = 0.5 * (lower + upper);
         ParameterRange part{lower, middle};
-        for (int axis = 0; axis < 2; ++axis)
+        for (int axis = 0; axis < 2; ++axis) {
             if (i >> axis & 1) {
                 part.lower[axis] = middle[axis];
                 part.upper[axis] = upper[axis];
             }
+        }
         return part;
     }
 };
@@ -76,8 +79,9 @@ class AcceptedSearch {
                                 range.lower, range.upper, start, size_);
         const double limit = std::sqrt(squaredLimit());
         if (accepts_(found.parameter)) {
-            if (found.offset.norm() <= limit && candidate_.offer(found.offset))
+            if (found.offset.norm() <= limit && candidate_.offer(found.offset)) {
                 best_ = {found.parameter[0], found.parameter[1], 0, found.converged, false};
+            }
         } else if (depth < deepest && found.offset.norm() - diameter(patch, range) < limit) {
             for (int i = 0; i < 4; ++i) {
                 const ParameterRange part = range.quarter(i);

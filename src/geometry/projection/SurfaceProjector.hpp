@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "geometry/bezier/BezierPatch.hpp"
 #include "geometry/projection/BoxTree.hpp"
 #include "geometry/spline/NurbsSurface.hpp"
+
 #include <functional>
 #include <memory>
 #include <optional>

@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/projection/VolumeProjector.hpp"
 
 #include "geometry/projection/BoxTree.hpp"
 #include "geometry/projection/closestParameter.hpp"
+
 #include <limits>
 
 namespace tokay::geometry {
@@ -10,8 +12,9 @@ namespace {
 
 std::vector<double> centres(const KnotVector& knots) {
     std::vector<double> result;
-    for (int i = 0; i < knots.nSpans(); ++i)
+    for (int i = 0; i < knots.nSpans(); ++i) {
         result.push_back(0.5 * (knots.breakpoints()[i] + knots.breakpoints()[i + 1]));
+    }
     return result;
 }
 
@@ -31,23 +34,29 @@ Eigen::Vector3d parametersOnSide(const NurbsVolume& volume, int side,
 
 VolumeProjector::VolumeProjector(NurbsVolume volume)
     : volume_(std::move(volume)), size_(Box::around(volume_.controlPoints()).diagonal()) {
-    for (int side = 0; side < 6; ++side)
+    for (int side = 0; side < 6; ++side) {
         sides_.emplace_back(volume_.boundarySurface(static_cast<Side>(side)).surface);
-    for (const double zeta : centres(volume_.w()))
-        for (const double eta : centres(volume_.v()))
-            for (const double xi : centres(volume_.u()))
+    }
+    for (const double zeta : centres(volume_.w())) {
+        for (const double eta : centres(volume_.v())) {
+            for (const double xi : centres(volume_.u())) {
                 samples_.emplace_back(xi, eta, zeta);
+            }
+        }
+    }
     samplePoints_.resize(static_cast<Eigen::Index>(samples_.size()), 3);
-    for (std::size_t i = 0; i < samples_.size(); ++i)
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
         samplePoints_.row(static_cast<Eigen::Index>(i)) = volume_.point(samples_[i]).transpose();
+    }
 }
 
 VolumeProjection VolumeProjector::closestOnSides(const Point& point) const {
     VolumeProjection best{Eigen::Vector3d::Zero(), std::numeric_limits<double>::infinity()};
     for (int side = 0; side < 6; ++side) {
         const SurfaceProjection found = sides_[side].closest(point);
-        if (found.distance < best.distance)
+        if (found.distance < best.distance) {
             best = {parametersOnSide(volume_, side, found), found.distance};
+        }
     }
     return best;
 }

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "geometry/spline/NurbsVolume.hpp"
 #include "geometry/projection/SurfaceProjector.hpp"
+#include "geometry/spline/NurbsVolume.hpp"
 
 namespace tokay::geometry {
 

@@ -1,7 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "geometry/spline/Points.hpp"
+
 #include <Eigen/LU>
+
 #include <algorithm>
 
 namespace tokay::geometry {
@@ -34,14 +37,15 @@ Eigen::Matrix<double, n, 1> modelStep(const Osculation<n>& at,
                                       const Eigen::Array<bool, n, 1>& isFree) {
     using Matrix = Eigen::Matrix<double, n, n>;
     const Matrix gaussNewton = at.tangents.transpose() * at.tangents;
-    if (gaussNewton.trace() == 0) // a geometry shrunk to a point
+    if (gaussNewton.trace() == 0) { // a geometry shrunk to a point
         return Eigen::Matrix<double, n, 1>::Zero();
+    }
     Matrix newton = gaussNewton + at.curvature;
     Eigen::Matrix<double, n, 1> rhs = -gradient;
     Matrix fallback = gaussNewton;
     // A degenerate tangent (pole) leaves its parameter where it is.
     fallback.diagonal().array() += 1e-14 * gaussNewton.trace();
-    for (int i = 0; i < n; ++i)
+    for (int i = 0; i < n; ++i) {
         if (!isFree[i]) {
             rhs[i] = 0;
             for (Matrix* matrix : {&newton, &fallback}) {
@@ -50,6 +54,7 @@ Eigen::Matrix<double, n, 1> modelStep(const Osculation<n>& at,
                 (*matrix)(i, i) = 1;
             }
         }
+    }
     const bool isPositive =
         (newton.diagonal().array() > 1e-3 * fallback.diagonal().array()).all() &&
         newton.determinant() > 1e-3 * fallback.determinant();
@@ -89,9 +94,10 @@ ClosestParameter<n> closestParameter(const Osculate& osculate,
         for (int halving = 0;
              length > trusted && there.offset.squaredNorm() > at.offset.squaredNorm(); ++halving) {
             // Clipping can spoil a coupled step; the scaled gradient always descends.
-            if (halving == 8)
+            if (halving == 8) {
                 step = -isFree.template cast<double>() * gradient.array() /
                        at.tangents.colwise().squaredNorm().transpose().array().max(1e-300);
+            }
             step *= 0.5;
             next = moved(step);
             length = (at.tangents * (next - x)).norm();
@@ -99,8 +105,9 @@ ClosestParameter<n> closestParameter(const Osculate& osculate,
         }
         x = next;
         at = there;
-        if (length <= tolerance)
+        if (length <= tolerance) {
             return {x, at.offset, true};
+        }
     }
     return {x, at.offset, false};
 }

@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/projection/flatPieces.hpp"
 
-#include "geometry/projection/BoxTree.hpp"
 #include "geometry/bezier/bezierPieces.hpp"
+#include "geometry/projection/BoxTree.hpp"
 #include "geometry/spline/refinement.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -28,8 +30,9 @@ int nParts(double bend, double size) {
     constexpr double flat = 0.1;
     constexpr int most = 16;
     int parts = 1;
-    while (parts < most && bend > flat * parts * size)
+    while (parts < most && bend > flat * parts * size) {
         parts *= 2;
+    }
     return parts;
 }
 
@@ -37,8 +40,9 @@ std::vector<double> cuts(const KnotVector& knots, const std::vector<int>& parts)
     std::vector<double> added;
     for (int i = 0; i < knots.nSpans(); ++i) {
         const double from = knots.breakpoints()[i], to = knots.breakpoints()[i + 1];
-        for (int j = 1; j < parts[i]; ++j)
+        for (int j = 1; j < parts[i]; ++j) {
             added.push_back(from + (to - from) * j / parts[i]);
+        }
     }
     return added;
 }
@@ -64,10 +68,12 @@ std::vector<NurbsSurface> flatPieces(const NurbsSurface& surface) {
         const Points& points = pieces[span].controlPoints();
         const double size = Box::around(points).diagonal();
         double bendU = 0, bendV = 0;
-        for (int j = 0; j < nV; ++j)
+        for (int j = 0; j < nV; ++j) {
             bendU = std::max(bendU, bend(points, nU * j, 1, nU));
-        for (int i = 0; i < nU; ++i)
+        }
+        for (int i = 0; i < nU; ++i) {
             bendV = std::max(bendV, bend(points, i, nU, nV));
+        }
         int &inU = partsU[span % nSpansU], &inV = partsV[span / nSpansU];
         inU = std::max(inU, nParts(bendU, size));
         inV = std::max(inV, nParts(bendV, size));

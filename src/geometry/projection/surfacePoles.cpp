@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/projection/surfacePoles.hpp"
 
 #include "geometry/projection/BoxTree.hpp"
+
 #include <Eigen/Geometry>
 
 namespace tokay::geometry {
@@ -29,12 +31,14 @@ Point normalOf(const Points& tangents) {
     Point normal = Point::Zero();
     for (Eigen::Index i = 1; i < tangents.rows(); ++i) {
         const Point candidate = Point(tangents.row(0)).cross(Point(tangents.row(i)));
-        if (candidate.norm() > normal.norm())
+        if (candidate.norm() > normal.norm()) {
             normal = candidate;
+        }
     }
     const double longest = tangents.rowwise().norm().maxCoeff();
-    if (!(normal.norm() > 1e-9 * longest * longest))
+    if (!(normal.norm() > 1e-9 * longest * longest)) {
         return Point::Zero();
+    }
     normal.normalize();
     const bool isPlane = (tangents * normal).cwiseAbs().maxCoeff() < 1e-9 * longest;
     return isPlane ? normal : Point::Zero();
@@ -47,8 +51,9 @@ std::vector<Pole> surfacePoles(const NurbsSurface& surface) {
     std::vector<Pole> poles;
     for (const Edge edge : {Edge::left, Edge::right, Edge::bottom, Edge::top}) {
         const Points points = surface.boundaryCurve(edge).curve.controlPoints();
-        if (Box::around(points).diagonal() < 1e-12 * size)
+        if (Box::around(points).diagonal() < 1e-12 * size) {
             poles.push_back({edge, points.row(0), normalOf(tangentsAcross(surface, edge))});
+        }
     }
     return poles;
 }

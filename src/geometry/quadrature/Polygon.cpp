@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/quadrature/Polygon.hpp"
 
 namespace tokay::geometry {
@@ -13,8 +14,9 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
 double signedArea(const Polygon& polygon) {
     double twice = 0;
     // About a corner: far from the origin no digits are lost.
-    for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+    for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
         twice += cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]);
+    }
     return 0.5 * twice;
 }
 
@@ -24,10 +26,12 @@ Polygon clippedByHalfPlane(const Polygon& polygon, const Eigen::Vector2d& normal
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const Eigen::Vector2d &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
         const double beyondA = normal.dot(a) - offset, beyondB = normal.dot(b) - offset;
-        if (beyondA <= 0)
+        if (beyondA <= 0) {
             inside.push_back(a);
-        if ((beyondA < 0 && beyondB > 0) || (beyondA > 0 && beyondB < 0))
+        }
+        if ((beyondA < 0 && beyondB > 0) || (beyondA > 0 && beyondB < 0)) {
             inside.push_back(a + beyondA / (beyondA - beyondB) * (b - a));
+        }
     }
     return inside;
 }

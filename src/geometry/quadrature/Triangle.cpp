@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/quadrature/Triangle.hpp"
 
 #include <Eigen/Geometry>
+
 #include <algorithm>
 #include <limits>
 
@@ -22,8 +24,9 @@ Barycentric Triangle::barycentric(const Point& point) const {
 
 Barycentric Triangle::closest(const Point& point) const {
     const Barycentric foot = barycentric(point);
-    if (foot.minCoeff() >= 0)
+    if (foot.minCoeff() >= 0) {
         return foot;
+    }
     Barycentric best = Barycentric::Zero();
     double least = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 3; ++i) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/quadrature/gaussLegendre.hpp"
 
 #include <cassert>
@@ -44,8 +45,9 @@ const QuadratureRule& gaussLegendre(int n) {
     static std::mutex mutex;
     const std::lock_guard<std::mutex> lock(mutex);
     auto found = rules.find(n);
-    if (found == rules.end())
+    if (found == rules.end()) {
         found = rules.emplace(n, computed(n)).first;
+    }
     return found->second;
 }
 

@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/quadrature/polygonRegion.hpp"
 
-#include <cmath>
 #include <polyclipping/clipper.hpp>
+
+#include <cmath>
 
 namespace tokay::geometry {
 
@@ -13,12 +15,14 @@ class Lattice {
   public:
     Lattice(const Region& a, const Region& b) {
         Parameters lower = Parameters::Constant(HUGE_VAL), upper = -lower;
-        for (const Region* region : {&a, &b})
-            for (const Polygon& ring : *region)
+        for (const Region* region : {&a, &b}) {
+            for (const Polygon& ring : *region) {
                 for (const Parameters& point : ring) {
                     lower = lower.cwiseMin(point);
                     upper = upper.cwiseMax(point);
                 }
+            }
+        }
         origin_ = lower;
         step_ = (upper - lower).cwiseMax(1e-300) * std::ldexp(1, -52);
     }
@@ -40,9 +44,10 @@ class Lattice {
         Region region;
         for (const ClipperLib::Path& path : paths) {
             Polygon ring;
-            for (const ClipperLib::IntPoint& p : path)
+            for (const ClipperLib::IntPoint& p : path) {
                 ring.push_back(origin_ + step_.cwiseProduct(Parameters(static_cast<double>(p.X),
                                                                        static_cast<double>(p.Y))));
+            }
             region.push_back(std::move(ring));
         }
         return region;
@@ -55,8 +60,9 @@ class Lattice {
 } // namespace
 
 Region intersection(const Region& a, const Region& b) {
-    if (a.empty() || b.empty())
+    if (a.empty() || b.empty()) {
         return {};
+    }
     const Lattice lattice(a, b);
     ClipperLib::Clipper clipper;
     clipper.AddPaths(lattice.paths(a), ClipperLib::ptSubject, true);
@@ -73,19 +79,25 @@ Region intersection(const Region& region, const ParameterBox& box) {
     Region common = intersection(region, Region{ring});
     // Off the lattice, back onto the sides, so that neighbours share corners.
     const Parameters slack = 1e-13 * (box.lower.cwiseAbs().cwiseMax(box.upper.cwiseAbs()));
-    for (Polygon& polygon : common)
-        for (Parameters& point : polygon)
-            for (int axis = 0; axis < 2; ++axis)
-                for (const double side : {box.lower[axis], box.upper[axis]})
-                    if (std::abs(point[axis] - side) <= slack[axis])
+    for (Polygon& polygon : common) {
+        for (Parameters& point : polygon) {
+            for (int axis = 0; axis < 2; ++axis) {
+                for (const double side : {box.lower[axis], box.upper[axis]}) {
+                    if (std::abs(point[axis] - side) <= slack[axis]) {
                         point[axis] = side;
+                    }
+                }
+            }
+        }
+    }
     return common;
 }
 
 double signedArea(const Region& region) {
     double area = 0;
-    for (const Polygon& ring : region)
+    for (const Polygon& ring : region) {
         area += signedArea(ring);
+    }
     return area;
 }
 

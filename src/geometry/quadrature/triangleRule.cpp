@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/quadrature/triangleRule.hpp"
 
 #include "geometry/quadrature/gaussLegendre.hpp"
+
 #include <algorithm>
 #include <map>
 #include <mutex>
@@ -24,12 +26,13 @@ TriangleRule collapsed(int degree) {
     const QuadratureRule& along = gaussLegendre(degree / 2 + 1);
     const QuadratureRule& across = gaussLegendre((degree + 1) / 2 + 1);
     TriangleRule rule;
-    for (std::size_t i = 0; i < across.points.size(); ++i)
+    for (std::size_t i = 0; i < across.points.size(); ++i) {
         for (std::size_t j = 0; j < along.points.size(); ++j) {
             const double r = across.points[i], s = along.points[j];
             rule.points.emplace_back(1 - r, r * (1 - s), r * s);
             rule.weights.push_back(2 * r * across.weights[i] * along.weights[j]);
         }
+    }
     return rule;
 }
 
@@ -56,8 +59,9 @@ const TriangleRule& triangleRule(int degree) {
     static std::mutex mutex;
     const std::lock_guard<std::mutex> lock(mutex);
     auto found = rules.find(degree);
-    if (found == rules.end())
+    if (found == rules.end()) {
         found = rules.emplace(degree, made(degree)).first;
+    }
     return found->second;
 }
 

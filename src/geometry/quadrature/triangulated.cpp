@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/quadrature/polygonRegion.hpp"
 
 #include <algorithm>
@@ -31,16 +32,19 @@ struct RayHit {
 
 RayHit rayHit(const Parameters& from, const std::vector<Polygon>& rings) {
     RayHit hit;
-    for (std::size_t r = 0; r < rings.size(); ++r)
+    for (std::size_t r = 0; r < rings.size(); ++r) {
         for (std::size_t i = 0; i < rings[r].size(); ++i) {
             const Parameters &a = rings[r][i], &b = rings[r][(i + 1) % rings[r].size()];
             // Only sides that rise have the region on their left.
-            if (a[1] > from[1] || b[1] < from[1] || a[1] == b[1])
+            if (a[1] > from[1] || b[1] < from[1] || a[1] == b[1]) {
                 continue;
+            }
             const double xi = a[0] + (from[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
-            if (xi >= from[0] && xi < hit.xi)
+            if (xi >= from[0] && xi < hit.xi) {
                 hit = {r, i, xi};
+            }
         }
+    }
     return hit;
 }
 
@@ -52,14 +56,16 @@ std::size_t visibleCorner(const Parameters& from, const Polygon& ring, const Ray
         ring[hit.side][0] > ring[(hit.side + 1) % n][0] ? hit.side : (hit.side + 1) % n;
     const Parameters place(hit.xi, from[1]);
     Parameters corners[3] = {from, place, ring[best]};
-    if (cross(corners[0], corners[1], corners[2]) < 0)
+    if (cross(corners[0], corners[1], corners[2]) < 0) {
         std::swap(corners[1], corners[2]);
+    }
     double steepest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < n; ++i) {
         const bool isReflex = cross(ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]) < 0;
         const double right = ring[i][0] - from[0];
-        if (!isReflex || right <= 0 || !isInside(ring[i], corners[0], corners[1], corners[2]))
+        if (!isReflex || right <= 0 || !isInside(ring[i], corners[0], corners[1], corners[2])) {
             continue;
+        }
         const double steepness = std::abs(ring[i][1] - from[1]) / right;
         if (steepness < steepest) {
             steepest = steepness;
@@ -73,13 +79,15 @@ std::size_t visibleCorner(const Parameters& from, const Polygon& ring, const Ray
 void join(const Polygon& hole, std::vector<Polygon>& rings) {
     const std::size_t start = rightmost(hole);
     const RayHit hit = rayHit(hole[start], rings);
-    if (hit.xi == std::numeric_limits<double>::infinity())
+    if (hit.xi == std::numeric_limits<double>::infinity()) {
         return; // a hole in nothing
+    }
     Polygon& ring = rings[hit.ring];
     const std::size_t corner = visibleCorner(hole[start], ring, hit);
     Polygon bridged(ring.begin(), ring.begin() + corner + 1);
-    for (std::size_t i = 0; i <= hole.size(); ++i)
+    for (std::size_t i = 0; i <= hole.size(); ++i) {
         bridged.push_back(hole[(start + i) % hole.size()]);
+    }
     bridged.insert(bridged.end(), ring.begin() + corner, ring.end());
     ring = std::move(bridged);
 }
@@ -92,13 +100,15 @@ void clipEars(const Polygon& ring, std::vector<PlaneTriangle>& triangles) {
     const auto isEar = [&](std::size_t i) {
         const std::size_t n = left.size();
         const Parameters a = corner(i + n - 1), b = corner(i), c = corner(i + 1);
-        if (cross(a, b, c) <= 0)
+        if (cross(a, b, c) <= 0) {
             return false;
+        }
         for (std::size_t j = 0; j < n; ++j) {
             const Parameters p = corner(j);
             // Copies of the ear's corners (ends of bridges) do not count.
-            if (p != a && p != b && p != c && isInside(p, a, b, c))
+            if (p != a && p != b && p != c && isInside(p, a, b, c)) {
                 return false;
+            }
         }
         return true;
     };
@@ -114,8 +124,9 @@ void clipEars(const Polygon& ring, std::vector<PlaneTriangle>& triangles) {
             ++failed;
             continue;
         }
-        if (cross(a, b, c) > 0)
+        if (cross(a, b, c) > 0) {
             triangles.push_back({a, b, c});
+        }
         left.erase(left.begin() + at);
         failed = 0;
     }
@@ -125,17 +136,20 @@ void clipEars(const Polygon& ring, std::vector<PlaneTriangle>& triangles) {
 
 std::vector<PlaneTriangle> triangulated(const Region& region) {
     std::vector<Polygon> rings, holes;
-    for (const Polygon& ring : region)
+    for (const Polygon& ring : region) {
         (signedArea(ring) > 0 ? rings : holes).push_back(ring);
+    }
     // From the right, so that a hole's ray meets only what is joined already.
     std::sort(holes.begin(), holes.end(), [](const Polygon& a, const Polygon& b) {
         return a[rightmost(a)][0] > b[rightmost(b)][0];
     });
-    for (const Polygon& hole : holes)
+    for (const Polygon& hole : holes) {
         join(hole, rings);
+    }
     std::vector<PlaneTriangle> triangles;
-    for (const Polygon& ring : rings)
+    for (const Polygon& ring : rings) {
         clipEars(ring, triangles);
+    }
     return triangles;
 }
 

@@ -1,35 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/spline/KnotVector.hpp"
 
 #include "common/errors.hpp"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <fmt/format.h>
 
 namespace tokay::geometry {
 
 namespace {
 
 void checkSequence(int degree, const std::vector<double>& knots) {
-    if (degree < 1)
+    if (degree < 1) {
         throw InputError(
             fmt::format("A knot vector needs a degree of at least 1, not {}.", degree));
-    if (degree > KnotVector::maxDegree)
+    }
+    if (degree > KnotVector::maxDegree) {
         throw InputError(fmt::format("A knot vector of degree {} is beyond the limit of {}.",
                                      degree, KnotVector::maxDegree));
+    }
     const int nKnots = static_cast<int>(knots.size());
-    if (nKnots < 2 * (degree + 1))
+    if (nKnots < 2 * (degree + 1)) {
         throw InputError(fmt::format("A knot vector of degree {} needs at least {} knots, not {}.",
                                      degree, 2 * (degree + 1), nKnots));
+    }
     for (int i = 0; i < nKnots; ++i) {
-        if (!std::isfinite(knots[i]))
+        if (!std::isfinite(knots[i])) {
             throw InputError(
                 fmt::format("Knot {} of {} is {}: give a finite number.", i, nKnots, knots[i]));
-        if (i > 0 && knots[i] < knots[i - 1])
+        }
+        if (i > 0 && knots[i] < knots[i - 1]) {
             throw InputError(fmt::format("Knot {} is {}, below the one before it, {}: knots must "
                                          "not decrease.",
                                          i, knots[i], knots[i - 1]));
+        }
     }
 }
 
@@ -37,14 +45,16 @@ void checkMultiplicities(int degree, const KnotVector& knots) {
     for (const double knot : knots.breakpoints()) {
         const int multiplicity = knots.multiplicity(knot);
         const bool isEnd = knot == knots.first() || knot == knots.last();
-        if (isEnd && multiplicity != degree + 1)
+        if (isEnd && multiplicity != degree + 1) {
             throw InputError(fmt::format("The end knot {} occurs {} times: an open knot vector of "
                                          "degree {} needs it {} times.",
                                          knot, multiplicity, degree, degree + 1));
-        if (!isEnd && multiplicity > degree)
+        }
+        if (!isEnd && multiplicity > degree) {
             throw InputError(fmt::format("The inner knot {} occurs {} times: at most {} (the "
                                          "degree) keep the curve continuous.",
                                          knot, multiplicity, degree));
+        }
     }
 }
 
@@ -113,13 +123,16 @@ KnotVector::KnotVector(int degree, std::vector<double> knots)
 }
 
 KnotVector KnotVector::uniform(int degree, int nSpans, double first, double last) {
-    if (nSpans < 1)
+    if (nSpans < 1) {
         throw InputError(fmt::format("A knot vector needs at least 1 span, not {}.", nSpans));
-    if (!(first < last))
+    }
+    if (!(first < last)) {
         throw InputError(fmt::format("A knot vector from {} to {} has no length.", first, last));
+    }
     std::vector<double> knots(degree + 1, first);
-    for (int i = 1; i < nSpans; ++i)
+    for (int i = 1; i < nSpans; ++i) {
         knots.push_back(first + (last - first) * i / nSpans);
+    }
     knots.insert(knots.end(), degree + 1, last);
     return KnotVector(degree, std::move(knots));
 }
@@ -142,10 +155,12 @@ Eigen::MatrixXd KnotVector::basisDerivatives(int span, double xi, int nDerivativ
     Eigen::MatrixXd ders = Eigen::MatrixXd::Zero(nDerivatives + 1, p + 1);
     ders.row(0) = table.col(p);
     const int n = std::min(nDerivatives, p); // higher ones vanish
-    if (n == 0)
+    if (n == 0) {
         return ders;
-    for (int r = 0; r <= p; ++r)
+    }
+    for (int r = 0; r <= p; ++r) {
         fillDerivatives(table, r, n, ders);
+    }
     double factor = 1;
     for (int k = 1; k <= n; ++k) {
         factor *= p - k + 1;
@@ -159,8 +174,9 @@ void KnotVector::valuesAndSlopes(int span, double xi, Eigen::Matrix2Xd& N) const
     const int p = degree_;
     N(0, 0) = 1;
     for (int j = 1; j <= p; ++j) {
-        if (j == p)
+        if (j == p) {
             N.row(1).head(p) = N.row(0).head(p);
+        }
         double saved = 0;
         for (int r = 0; r < j; ++r) {
             const double above = knots_[span + r + 1], below = knots_[span + 1 - j + r];
@@ -184,8 +200,9 @@ std::vector<double> KnotVector::grevilleAbscissae() const {
     std::vector<double> abscissae(nBasis());
     for (int i = 0; i < nBasis(); ++i) {
         double sum = 0;
-        for (int j = 1; j <= degree_; ++j)
+        for (int j = 1; j <= degree_; ++j) {
             sum += knots_[i + j];
+        }
         // Rounding of the mean must not leave the range.
         abscissae[i] = std::clamp(sum / degree_, first(), last());
     }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/spline/NurbsCurve.hpp"
 
 #include "geometry/spline/rational.hpp"
@@ -11,8 +12,9 @@ void makeRational(Eigen::MatrixXd& N, const Eigen::VectorXd& weights) {
     N *= weights.asDiagonal();
     const Eigen::VectorXd sums = N.rowwise().sum();
     for (int k = 0; k < N.rows(); ++k) {
-        for (int i = 1; i <= k; ++i)
+        for (int i = 1; i <= k; ++i) {
             N.row(k) -= binomial(k, i) * sums[i] * N.row(k - i);
+        }
         N.row(k) /= sums[0];
     }
 }
@@ -28,8 +30,9 @@ NurbsCurve::NurbsCurve(KnotVector knots, Points controlPoints, Eigen::VectorXd w
 CurveBasis NurbsCurve::basis(double xi, int nDerivatives) const {
     const int span = knots_.findSpan(xi), first = span - degree();
     CurveBasis basis{first, knots_.basisDerivatives(span, xi, nDerivatives)};
-    if (isRational())
+    if (isRational()) {
         makeRational(basis.N, weights_.segment(first, degree() + 1));
+    }
     return basis;
 }
 

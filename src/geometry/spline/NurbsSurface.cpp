@@ -1,10 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/spline/NurbsSurface.hpp"
 
 #include "common/errors.hpp"
 #include "geometry/spline/rational.hpp"
 #include "geometry/spline/spanBasis.hpp"
-#include <algorithm>
+
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace tokay::geometry {
 
@@ -16,26 +19,30 @@ const std::array<const char*, 4> edgeNames = {"left", "right", "bottom", "top"};
 void makeRational(Eigen::MatrixXd& N, const Eigen::VectorXd& weights, int order) {
     N *= weights.asDiagonal();
     const Eigen::VectorXd sums = N.rowwise().sum();
-    for (int n = 0; n <= order; ++n)
+    for (int n = 0; n <= order; ++n) {
         for (int l = 0; l <= n; ++l) {
             const int k = n - l;
             auto row = N.row(derivativeRow(k, l));
-            for (int i = 0; i <= k; ++i)
-                for (int j = i == 0 ? 1 : 0; j <= l; ++j)
+            for (int i = 0; i <= k; ++i) {
+                for (int j = i == 0 ? 1 : 0; j <= l; ++j) {
                     row -= binomial(k, i) * binomial(l, j) * sums[derivativeRow(i, j)] *
                            N.row(derivativeRow(k - i, l - j));
+                }
+            }
             row /= sums[0];
         }
+    }
 }
 
 } // namespace
 
 Edge edgeFromName(const std::string& name) {
     const auto found = std::find(edgeNames.begin(), edgeNames.end(), name);
-    if (found == edgeNames.end())
+    if (found == edgeNames.end()) {
         throw InputError(fmt::format("There is no edge \"{}\": a patch has the edges left, right, "
                                      "bottom and top.",
                                      name));
+    }
     return static_cast<Edge>(found - edgeNames.begin());
 }
 
@@ -64,23 +71,28 @@ SurfaceBasis spanBasis(const NurbsSurface& surface, int spanU, int spanV, double
     basis.controlPoints.reserve((p + 1) * (q + 1));
     basis.N.resize(nDerivativeRows(nDerivatives), (p + 1) * (q + 1));
     for (int j = 0; j <= q; ++j) {
-        for (int i = 0; i <= p; ++i)
+        for (int i = 0; i <= p; ++i) {
             basis.controlPoints.push_back(spanU - p + i + surface.u().nBasis() * (spanV - q + j));
-        for (int n = 0; n <= nDerivatives; ++n)
-            for (int l = 0; l <= n; ++l)
+        }
+        for (int n = 0; n <= nDerivatives; ++n) {
+            for (int l = 0; l <= n; ++l) {
                 basis.N.row(derivativeRow(n - l, l)).segment(j * (p + 1), p + 1) =
                     Nv(l, j) * Nu.row(n - l);
+            }
+        }
     }
-    if (surface.isRational())
+    if (surface.isRational()) {
         makeRational(basis.N, surface.weights()(basis.controlPoints), nDerivatives);
+    }
     return basis;
 }
 
 Points NurbsSurface::derivatives(double xi, double eta, int n) const {
     const SurfaceBasis b = basis(xi, eta, n);
     Points d = Points::Zero(b.N.rows(), 3);
-    for (std::size_t i = 0; i < b.controlPoints.size(); ++i)
+    for (std::size_t i = 0; i < b.controlPoints.size(); ++i) {
         d.noalias() += b.N.col(i) * controlPoints_.row(b.controlPoints[i]);
+    }
     return d;
 }
 
@@ -95,11 +107,13 @@ BoundaryCurve NurbsSurface::boundaryCurve(Edge edge) const {
     const int step = alongU ? 1 : nU;
 
     std::vector<int> numbers(alongU ? nU : nV);
-    for (std::size_t i = 0; i < numbers.size(); ++i)
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
         numbers[i] = start + step * static_cast<int>(i);
+    }
     Eigen::VectorXd weights;
-    if (isRational())
+    if (isRational()) {
         weights = weights_(numbers);
+    }
     return {NurbsCurve(alongU ? u_ : v_, controlPoints_(numbers, Eigen::all), std::move(weights)),
             std::move(numbers)};
 }

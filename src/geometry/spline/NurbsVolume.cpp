@@ -1,9 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/spline/NurbsVolume.hpp"
 
 #include "common/errors.hpp"
 #include "geometry/spline/rational.hpp"
-#include <algorithm>
+
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace tokay::geometry {
 
@@ -16,17 +19,19 @@ void makeRational(const Eigen::VectorXd& weights, Eigen::Matrix<double, 4, Eigen
     N *= weights.asDiagonal();
     const Eigen::Vector4d sums = N.rowwise().sum();
     N.row(0) /= sums[0];
-    for (int i = 1; i < 4; ++i)
+    for (int i = 1; i < 4; ++i) {
         N.row(i) = (N.row(i) - sums[i] * N.row(0)).eval() / sums[0];
+    }
 }
 
 } // namespace
 
 Side sideFromName(const std::string& name) {
     const auto found = std::find(sideNames.begin(), sideNames.end(), name);
-    if (found == sideNames.end())
+    if (found == sideNames.end()) {
         throw InputError(fmt::format("There is no side \"{}\": a volume has the sides {}.", name,
                                      fmt::join(sideNames, ", ")));
+    }
     return static_cast<Side>(found - sideNames.begin());
 }
 
@@ -54,8 +59,8 @@ VolumeBasis NurbsVolume::basis(const Eigen::Vector3d& parameters) const {
     }
     VolumeBasis basis;
     basis.N.resize(4, N[0].cols() * N[1].cols() * N[2].cols());
-    for (int k = 0, column = 0; k < N[2].cols(); ++k)
-        for (int j = 0; j < N[1].cols(); ++j)
+    for (int k = 0, column = 0; k < N[2].cols(); ++k) {
+        for (int j = 0; j < N[1].cols(); ++j) {
             for (int i = 0; i < N[0].cols(); ++i, ++column) {
                 basis.controlPoints.push_back(
                     first[0] + i + u().nBasis() * (first[1] + j + v().nBasis() * (first[2] + k)));
@@ -63,8 +68,11 @@ VolumeBasis NurbsVolume::basis(const Eigen::Vector3d& parameters) const {
                 basis.N.col(column) << a * b * c, N[0](1, i) * b * c, a * N[1](1, j) * c,
                     a * b * N[2](1, k);
             }
-    if (isRational())
+        }
+    }
+    if (isRational()) {
         makeRational(weights_(basis.controlPoints), basis.N);
+    }
     return basis;
 }
 
@@ -86,12 +94,15 @@ BoundarySurface NurbsVolume::boundarySurface(Side side) const {
     const int start = isLast ? (directions_[axis].nBasis() - 1) * steps[axis] : 0;
 
     std::vector<int> numbers;
-    for (int j = 0; j < directions_[second].nBasis(); ++j)
-        for (int i = 0; i < directions_[first].nBasis(); ++i)
+    for (int j = 0; j < directions_[second].nBasis(); ++j) {
+        for (int i = 0; i < directions_[first].nBasis(); ++i) {
             numbers.push_back(start + steps[first] * i + steps[second] * j);
+        }
+    }
     Eigen::VectorXd weights;
-    if (isRational())
+    if (isRational()) {
         weights = weights_(numbers);
+    }
     // xi x eta is along zeta, eta x zeta along xi, but xi x zeta against eta.
     return {NurbsSurface(directions_[first], directions_[second],
                          controlPoints_(numbers, Eigen::all), std::move(weights)),

@@ -1,8 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/spline/SplineCoefficients.hpp"
 
 #include "common/errors.hpp"
-#include <algorithm>
+
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace tokay::geometry {
 
@@ -51,13 +54,16 @@ int centralSpan(const KnotVector& old, const KnotVector& fine, int i) {
 }
 
 KnotVector withKnots(const KnotVector& knots, const std::vector<double>& added) {
-    for (const double knot : added)
-        if (!(knot > knots.first() && knot < knots.last()))
+    for (const double knot : added) {
+        if (!(knot > knots.first() && knot < knots.last())) {
             throw InputError(fmt::format("The knot {} cannot be inserted: it must lie inside "
                                          "({}, {}).",
                                          knot, knots.first(), knots.last()));
-    if (!std::is_sorted(added.begin(), added.end()))
+        }
+    }
+    if (!std::is_sorted(added.begin(), added.end())) {
         throw InputError("Knots to insert must be ascending.");
+    }
     std::vector<double> merged(knots.knots().size() + added.size());
     std::merge(knots.knots().begin(), knots.knots().end(), added.begin(), added.end(),
                merged.begin());
@@ -68,15 +74,17 @@ KnotVector withoutKnots(const KnotVector& knots, const std::vector<double>& remo
     std::vector<double> left;
     auto next = removed.begin();
     for (const double knot : knots.knots()) {
-        if (next != removed.end() && *next == knot && knot > knots.first() && knot < knots.last())
+        if (next != removed.end() && *next == knot && knot > knots.first() && knot < knots.last()) {
             ++next;
-        else
+        } else {
             left.push_back(knot);
+        }
     }
-    if (next != removed.end())
+    if (next != removed.end()) {
         throw InputError(fmt::format("The knot {} cannot be removed: it is not inside ({}, {}), "
                                      "not there so often, or the knots to remove do not ascend.",
                                      *next, knots.first(), knots.last()));
+    }
     return KnotVector(knots.degree(), std::move(left));
 }
 
@@ -87,8 +95,9 @@ double extent(const Eigen::MatrixXd& rows) {
 
 KnotVector elevated(const KnotVector& knots) {
     std::vector<double> fine;
-    for (const double knot : knots.breakpoints())
+    for (const double knot : knots.breakpoints()) {
         fine.insert(fine.end(), knots.multiplicity(knot) + 1, knot);
+    }
     return KnotVector(knots.degree() + 1, std::move(fine));
 }
 
@@ -97,9 +106,10 @@ KnotVector elevated(const KnotVector& knots) {
 SplineCoefficients insertKnots(const SplineCoefficients& spline, const std::vector<double>& knots) {
     SplineCoefficients fine{withKnots(spline.knots, knots), {}};
     fine.rows.resize(fine.knots.nBasis(), spline.rows.cols());
-    for (int i = 0; i < fine.knots.nBasis(); ++i)
+    for (int i = 0; i < fine.knots.nBasis(); ++i) {
         fine.rows.row(i) =
             blossom(spline, centralSpan(spline.knots, fine.knots, i), innerKnots(fine.knots, i));
+    }
     return fine;
 }
 
@@ -109,15 +119,17 @@ SplineCoefficients removeKnots(const SplineCoefficients& spline, const std::vect
     coarse.rows.resize(coarse.knots.nBasis(), spline.rows.cols());
     // A spline of the coarser space is one polynomial over what was two spans: any
     // span inside a coarse function's support tells its coefficient.
-    for (int i = 0; i < coarse.knots.nBasis(); ++i)
+    for (int i = 0; i < coarse.knots.nBasis(); ++i) {
         coarse.rows.row(i) = blossom(spline, centralSpan(spline.knots, coarse.knots, i),
                                      innerKnots(coarse.knots, i));
+    }
     const double off = (insertKnots(coarse, knots).rows - spline.rows).rowwise().norm().maxCoeff();
-    if (off > tolerance * extent(spline.rows))
+    if (off > tolerance * extent(spline.rows)) {
         throw InputError(fmt::format("The knots cannot be removed: the spline is not smooth enough "
                                      "there, its coefficients would be off by {:.2g} of their "
                                      "extent (tolerance {:g}).",
                                      off / extent(spline.rows), tolerance));
+    }
     return coarse;
 }
 

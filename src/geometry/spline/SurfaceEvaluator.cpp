@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/spline/SurfaceEvaluator.hpp"
 
 #include <Eigen/Geometry>
@@ -25,22 +26,25 @@ void SurfaceEvaluator::gather(int spanU, int spanV) {
     spanV_ = spanV;
     const int nU = surface_.u().nBasis();
     const int firstU = spanU - surface_.u().degree(), firstV = spanV - surface_.v().degree();
-    for (int j = 0, k = 0; j < Nv_.cols(); ++j)
+    for (int j = 0, k = 0; j < Nv_.cols(); ++j) {
         for (int i = 0; i < Nu_.cols(); ++i, ++k) {
             const int number = firstU + i + nU * (firstV + j);
             const double weight = surface_.isRational() ? surface_.weights()[number] : 1;
             controlPoints_[k] = number;
             homogeneous_.row(k) << weight * surface_.controlPoints().row(number), weight;
         }
+    }
 }
 
 void SurfaceEvaluator::enter(const Parameters& place) {
     const KnotVector &u = surface_.u(), &v = surface_.v();
-    if (holds(u, spanU_, place[0]) && holds(v, spanV_, place[1]))
+    if (holds(u, spanU_, place[0]) && holds(v, spanV_, place[1])) {
         return;
+    }
     const int spanU = u.findSpan(place[0]), spanV = v.findSpan(place[1]);
-    if (spanU != spanU_ || spanV != spanV_)
+    if (spanU != spanU_ || spanV != spanV_) {
         gather(spanU, spanV);
+    }
 }
 
 void SurfaceEvaluator::moveTo(double xi, double eta) {
@@ -67,8 +71,9 @@ void SurfaceEvaluator::evaluate(double xi, double eta) {
     point_ = sum.head<3>();
     tangentXi_ = byXi.head<3>();
     tangentEta_ = byEta.head<3>();
-    if (!surface_.isRational())
+    if (!surface_.isRational()) {
         return;
+    }
     const double w = sum[3];
     N_.array() *= homogeneous_.col(3).array() / w;
     point_ /= w;

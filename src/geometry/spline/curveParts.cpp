@@ -1,9 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/spline/curveParts.hpp"
 
 #include "common/errors.hpp"
 #include "geometry/spline/refinement.hpp"
-#include <algorithm>
+
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace tokay::geometry {
 
@@ -17,21 +20,25 @@ NurbsCurve reversed(const NurbsCurve& curve) {
                                : knots.first() + (knots.last() - *knot));
     }
     Eigen::VectorXd weights;
-    if (curve.isRational())
+    if (curve.isRational()) {
         weights = curve.weights().reverse();
+    }
     return NurbsCurve(KnotVector(curve.degree(), std::move(turned)),
                       curve.controlPoints().colwise().reverse(), std::move(weights));
 }
 
 NurbsCurve partOf(const NurbsCurve& curve, double from, double to) {
     const KnotVector& range = curve.knotVector();
-    if (!(range.first() <= from && from < to && to <= range.last()))
+    if (!(range.first() <= from && from < to && to <= range.last())) {
         throw InputError(fmt::format("A curve over {} to {} has no part from {} to {}.",
                                      range.first(), range.last(), from, to));
+    }
     std::vector<double> added;
-    for (const double end : {from, to})
-        if (end > range.first() && end < range.last())
+    for (const double end : {from, to}) {
+        if (end > range.first() && end < range.last()) {
             added.insert(added.end(), range.degree() - range.multiplicity(end), end);
+        }
+    }
     const NurbsCurve cut = insertKnots(curve, added);
 
     // Each end now is an open one but for one knot, which is repeated.
@@ -45,8 +52,9 @@ NurbsCurve partOf(const NurbsCurve& curve, double from, double to) {
     const int first = static_cast<int>(begin - knots.begin()) - 1;
     const int n = static_cast<int>(inner.size()) - degree - 1;
     Eigen::VectorXd weights;
-    if (cut.isRational())
+    if (cut.isRational()) {
         weights = cut.weights().segment(first, n);
+    }
     return NurbsCurve(KnotVector(degree, std::move(inner)),
                       cut.controlPoints().middleRows(first, n), std::move(weights));
 }

@@ -1,9 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/spline/refinement.hpp"
 
 #include "common/errors.hpp"
 #include "geometry/spline/SplineCoefficients.hpp"
 #include "geometry/spline/rational.hpp"
+
 #include <fmt/format.h>
+
 #include <functional>
 
 namespace tokay::geometry {
@@ -24,10 +27,12 @@ NurbsCurve refined(const NurbsCurve& curve, const Refinement& refinement) {
 RowMatrix turned(const RowMatrix& net, int nLines, int nColumns) {
     const int nComponents = static_cast<int>(net.size()) / (nLines * nColumns);
     RowMatrix result(nColumns, nLines * nComponents);
-    for (int j = 0; j < nLines; ++j)
-        for (int i = 0; i < nColumns; ++i)
+    for (int j = 0; j < nLines; ++j) {
+        for (int i = 0; i < nColumns; ++i) {
             result.row(i).segment(j * nComponents, nComponents) =
                 net.row(j).segment(i * nComponents, nComponents);
+        }
+    }
     return result;
 }
 
@@ -82,11 +87,13 @@ Refinement removal(const std::vector<double>& knots, double tolerance) {
 }
 
 Refinement elevation(int by) {
-    if (by < 0)
+    if (by < 0) {
         throw InputError(fmt::format("The degree cannot be raised by {}.", by));
+    }
     return [by](SplineCoefficients spline) {
-        for (int i = 0; i < by; ++i)
+        for (int i = 0; i < by; ++i) {
             spline = elevateDegree(spline);
+        }
         return spline;
     };
 }
@@ -94,20 +101,24 @@ Refinement elevation(int by) {
 std::vector<double> divisionKnots(const KnotVector& knots, int nDivisions) {
     const std::vector<double>& breakpoints = knots.breakpoints();
     std::vector<double> added;
-    for (std::size_t i = 0; i + 1 < breakpoints.size(); ++i)
-        for (int j = 1; j < nDivisions; ++j)
+    for (std::size_t i = 0; i + 1 < breakpoints.size(); ++i) {
+        for (int j = 1; j < nDivisions; ++j) {
             added.push_back(breakpoints[i] +
                             (breakpoints[i + 1] - breakpoints[i]) * j / nDivisions);
+        }
+    }
     return added;
 }
 
 Refinement kRefinement(const KnotVector& knots, int degree, int nDivisions) {
-    if (degree < knots.degree())
+    if (degree < knots.degree()) {
         throw InputError(fmt::format("The degree {} is below the geometry's own, {}: refinement "
                                      "only raises it.",
                                      degree, knots.degree()));
-    if (nDivisions < 1)
+    }
+    if (nDivisions < 1) {
         throw InputError(fmt::format("A knot span cannot be cut into {} parts.", nDivisions));
+    }
     const Refinement elevate = elevation(degree - knots.degree());
     return [=](const SplineCoefficients& spline) {
         return insertKnots(elevate(spline), divisionKnots(knots, nDivisions));
@@ -165,8 +176,9 @@ NurbsVolume elevateDegree(const NurbsVolume& volume, const std::array<int, 3>& b
 NurbsVolume refine(const NurbsVolume& volume, const std::array<int, 3>& degrees,
                    const std::array<int, 3>& nDivisions) {
     std::vector<Refinement> refinements;
-    for (int axis = 0; axis < 3; ++axis)
+    for (int axis = 0; axis < 3; ++axis) {
         refinements.push_back(kRefinement(volume.direction(axis), degrees[axis], nDivisions[axis]));
+    }
     return refined(volume, refinements);
 }
 

@@ -1,12 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/trimming/CurveOnSurface.hpp"
 
 #include "common/errors.hpp"
 #include "geometry/bezier/PlaneBezier.hpp"
-#include "geometry/projection/closestOfPieces.hpp"
 #include "geometry/bezier/parameterCrossings.hpp"
+#include "geometry/projection/closestOfPieces.hpp"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
-#include <fmt/format.h>
 
 namespace tokay::geometry {
 
@@ -18,10 +21,12 @@ Eigen::Vector2d extent(const NurbsCurve& curve, int axis) {
     Eigen::Vector2d range(start, start);
     for (const PlaneBezier& piece : PlaneBezier::piecesOf(curve)) {
         std::vector<double> values = {piece.end()[axis]};
-        for (const double t : piece.extrema(axis))
+        for (const double t : piece.extrema(axis)) {
             values.push_back(piece.point(t)[axis]);
-        for (const double value : values)
+        }
+        for (const double value : values) {
             range = {std::min(range[0], value), std::max(range[1], value)};
+        }
     }
     return range;
 }
@@ -32,30 +37,34 @@ void checkInside(const NurbsCurve& curve, const NurbsSurface& surface) {
         const double first = ranges[axis]->first(), last = ranges[axis]->last();
         const double slack = 1e-9 * (last - first);
         const Eigen::Vector2d reached = extent(curve, axis);
-        if (reached[0] < first - slack || reached[1] > last + slack)
+        if (reached[0] < first - slack || reached[1] > last + slack) {
             throw InputError(fmt::format("A trimming curve reaches {} = {} to {}, outside the "
                                          "patch's range {} to {}.",
                                          axis == 0 ? "xi" : "eta", reached[0], reached[1], first,
                                          last));
+        }
     }
 }
 
 std::vector<double> smoothRanges(const NurbsCurve& curve, const NurbsSurface& surface) {
     std::vector<double> all = curve.knotVector().breakpoints();
     const KnotVector* directions[2] = {&surface.u(), &surface.v()};
-    for (int axis = 0; axis < 2; ++axis)
+    for (int axis = 0; axis < 2; ++axis) {
         for (int i = 1; i < directions[axis]->nSpans(); ++i) {
             const double knot = directions[axis]->breakpoints()[i];
             const std::vector<double> found = parameterCrossings(curve, axis, knot);
             all.insert(all.end(), found.begin(), found.end());
         }
+    }
     std::sort(all.begin(), all.end());
     // Through a corner of two knot lines: one breakpoint, not two a rounding apart.
     const double least = 1e-12 * (all.back() - all.front());
     std::vector<double> distinct = {all.front()};
-    for (const double t : all)
-        if (t > distinct.back() + least)
+    for (const double t : all) {
+        if (t > distinct.back() + least) {
             distinct.push_back(t);
+        }
+    }
     distinct.back() = all.back();
     return distinct;
 }
@@ -65,13 +74,15 @@ Points derivativesOn(const NurbsSurface& surface, const NurbsCurve& curve, doubl
     const Points s = surface.derivatives(c(0, 0), c(0, 1), n);
     Points d(n + 1, 3);
     d.row(0) = s.row(0);
-    if (n >= 1)
+    if (n >= 1) {
         d.row(1) = s.row(1) * c(1, 0) + s.row(2) * c(1, 1);
-    if (n == 2)
+    }
+    if (n == 2) {
         d.row(2) = s.row(derivativeRow(2, 0)) * c(1, 0) * c(1, 0) +
                    s.row(derivativeRow(1, 1)) * 2 * c(1, 0) * c(1, 1) +
                    s.row(derivativeRow(0, 2)) * c(1, 1) * c(1, 1) + s.row(1) * c(2, 0) +
                    s.row(2) * c(2, 1);
+    }
     return d;
 }
 
@@ -98,19 +109,21 @@ void CurveOnSurface::buildTree() {
     constexpr int nSegments = 8, nChords = 4;
     box_ = Box::empty();
     std::vector<Box> boxes;
-    for (std::size_t i = 0; i + 1 < breakpoints_.size(); ++i)
+    for (std::size_t i = 0; i + 1 < breakpoints_.size(); ++i) {
         for (int j = 0; j < nSegments; ++j) {
             const double length = (breakpoints_[i + 1] - breakpoints_[i]) / nSegments;
             const Segment segment{breakpoints_[i] + j * length, breakpoints_[i] + (j + 1) * length};
             Box box = Box::empty();
-            for (int k = 0; k <= nChords; ++k)
+            for (int k = 0; k <= nChords; ++k) {
                 box.include(
                     derivativesOn(centred_, curve_, segment.from + length * k / nChords, 0).row(0));
+            }
             const Point margin = Point::Constant(box.diagonal() / nChords);
             boxes.push_back({box.lower - margin, box.upper + margin});
             segments_.push_back(segment);
             box_.include(boxes.back());
         }
+    }
     tree_ = std::make_unique<BoxTree>(boxes);
     size_ = box_.diagonal();
     box_ = {box_.lower + centre_, box_.upper + centre_};

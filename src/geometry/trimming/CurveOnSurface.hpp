@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "geometry/projection/BoxTree.hpp"
 #include "geometry/projection/CurveProjector.hpp"
 #include "geometry/spline/NurbsSurface.hpp"
+
 #include <memory>
 
 namespace tokay::geometry {

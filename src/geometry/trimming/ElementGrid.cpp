@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/trimming/ElementGrid.hpp"
 
 #include <algorithm>
@@ -18,8 +19,9 @@ void appendCuts(const PlaneBezier& piece, int axis, const std::vector<double>& l
                 std::vector<Cut>& cuts) {
     const auto [low, high] = std::minmax(piece.start()[axis], piece.end()[axis]);
     for (auto line = std::upper_bound(lines.begin(), lines.end(), low);
-         line != lines.end() && *line < high; ++line)
+         line != lines.end() && *line < high; ++line) {
         cuts.push_back({piece.parameterAt(axis, *line), axis, *line});
+    }
 }
 
 PlaneBezier part(const PlaneBezier& piece, double from, double to) {
@@ -84,13 +86,15 @@ ElementGrid::leftWindings(const std::vector<std::vector<PlaneBezier>>& sides) co
         const auto add = [&](double eta, int change) {
             int& sum = changes[std::clamp(eta, eta_[j], eta_[j + 1])];
             sum += change;
-            if (sum == 0)
+            if (sum == 0) {
                 changes.erase(std::clamp(eta, eta_[j], eta_[j + 1]));
+            }
         };
         for (int i = 0; i < nU(); ++i) {
             const int element = i + nU() * j;
-            for (const auto& [eta, change] : changes)
+            for (const auto& [eta, change] : changes) {
                 windings[element].push_back({eta, change});
+            }
             for (const PlaneBezier& side : sides[element]) {
                 // Right of a falling side lies the region, between its heights.
                 add(side.start()[1], -1);

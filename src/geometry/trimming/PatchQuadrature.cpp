@@ -1,13 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/trimming/PatchQuadrature.hpp"
 
 #include "common/errors.hpp"
 #include "geometry/quadrature/gaussLegendre.hpp"
 #include "geometry/quadrature/polygonRegion.hpp"
-#include "geometry/trimming/tileRule.hpp"
 #include "geometry/quadrature/triangleRule.hpp"
+#include "geometry/trimming/tileRule.hpp"
+
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace tokay::geometry {
 
@@ -15,36 +18,42 @@ namespace {
 
 void checkOptions(const QuadratureOptions& options) {
     constexpr int most = 100;
-    if (options.degree < 0 || options.degree > most)
+    if (options.degree < 0 || options.degree > most) {
         throw InputError(fmt::format("The degree of quadrature is {}: choose 0 (by the basis) to "
                                      "{}.",
                                      options.degree, most));
-    if (options.nAlong < 0 || options.nAlong > most)
+    }
+    if (options.nAlong < 0 || options.nAlong > most) {
         throw InputError(fmt::format("The number of points along a curved side is {}: choose 0 "
                                      "(by the degrees) to {}.",
                                      options.nAlong, most));
-    if (!(options.chordTolerance > 0 && options.chordTolerance <= 1))
+    }
+    if (!(options.chordTolerance > 0 && options.chordTolerance <= 1)) {
         throw InputError(fmt::format("The chord tolerance is {}: it must be positive, in element "
                                      "sizes, and at most 1.",
                                      options.chordTolerance));
+    }
 }
 
 std::vector<ParameterPoint> fullRule(const ParameterBox& box, int degree) {
     const QuadratureRule& rule = gaussLegendre(degree / 2 + 1);
     std::vector<ParameterPoint> points;
-    for (std::size_t l = 0; l < rule.points.size(); ++l)
-        for (std::size_t k = 0; k < rule.points.size(); ++k)
+    for (std::size_t l = 0; l < rule.points.size(); ++l) {
+        for (std::size_t k = 0; k < rule.points.size(); ++k) {
             points.push_back({box.lower[0] + box.size()[0] * rule.points[k],
                               box.lower[1] + box.size()[1] * rule.points[l],
                               rule.weights[k] * rule.weights[l] * box.area()});
+        }
+    }
     return points;
 }
 
 std::vector<ParameterPoint> tileRules(const std::vector<Tile>& tiles,
                                       const QuadratureOptions& options) {
     std::vector<ParameterPoint> points;
-    for (const Tile& tile : tiles)
+    for (const Tile& tile : tiles) {
         appendTileRule(tile, options.degree, options.nAlong, points);
+    }
     return points;
 }
 
@@ -65,10 +74,12 @@ std::vector<ParameterPoint> triangleRules(const Region& region, int degree) {
 } // namespace
 
 CutRule cutRuleFromName(const std::string& name) {
-    if (name == "boundaryExact")
+    if (name == "boundaryExact") {
         return CutRule::boundaryExact;
-    if (name == "triangulated")
+    }
+    if (name == "triangulated") {
         return CutRule::triangulated;
+    }
     throw InputError(fmt::format("There is no rule \"{}\" for cut elements: choose boundaryExact "
                                  "or triangulated.",
                                  name));
@@ -77,13 +88,16 @@ CutRule cutRuleFromName(const std::string& name) {
 PatchQuadrature::PatchQuadrature(const TrimmedPatch& patch, const QuadratureOptions& options)
     : patch_(patch), options_(options) {
     checkOptions(options_);
-    if (options_.degree == 0)
+    if (options_.degree == 0) {
         options_.degree = 2 * std::max(patch.basis().u().degree(), patch.basis().v().degree());
-    if (options_.rule != CutRule::triangulated || !patch.isTrimmed())
+    }
+    if (options_.rule != CutRule::triangulated || !patch.isTrimmed()) {
         return;
+    }
     Parameters smallest = patch.box().size();
-    for (int element = 0; element < patch.nElements(); ++element)
+    for (int element = 0; element < patch.nElements(); ++element) {
         smallest = smallest.cwiseMin(patch.elementBox(element).size());
+    }
     const Region loops = patch.tessellatedLoops(options_.chordTolerance * smallest);
     for (int j = 0; j < patch.nElementsV(); ++j) {
         ParameterBox row = patch.elementBox(j * patch.nElementsU());
@@ -97,12 +111,15 @@ std::vector<Polygon> PatchQuadrature::region(int element) const {
 }
 
 std::vector<ParameterPoint> PatchQuadrature::points(int element) const {
-    if (patch_.state(element) == ElementState::empty)
+    if (patch_.state(element) == ElementState::empty) {
         return {};
-    if (patch_.state(element) == ElementState::full)
+    }
+    if (patch_.state(element) == ElementState::full) {
         return fullRule(patch_.elementBox(element), options_.degree);
-    if (options_.rule == CutRule::triangulated)
+    }
+    if (options_.rule == CutRule::triangulated) {
         return triangleRules(region(element), options_.degree);
+    }
     return tileRules(patch_.tiles(element), options_);
 }
 
@@ -118,8 +135,9 @@ double area(const PatchQuadrature& quadrature, int element) {
 
 double area(const PatchQuadrature& quadrature) {
     double sum = 0;
-    for (int element = 0; element < quadrature.patch().nElements(); ++element)
+    for (int element = 0; element < quadrature.patch().nElements(); ++element) {
         sum += area(quadrature, element);
+    }
     return sum;
 }
 

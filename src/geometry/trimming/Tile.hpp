@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "geometry/bezier/PlaneBezier.hpp"
 #include "geometry/quadrature/Polygon.hpp"
+
 #include <optional>
 
 namespace tokay::geometry {

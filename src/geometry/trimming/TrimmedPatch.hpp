@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "geometry/trimming/ElementGrid.hpp"
 #include "geometry/spline/NurbsSurface.hpp"
+#include "geometry/trimming/ElementGrid.hpp"
 #include "geometry/trimming/TrimmingLoop.hpp"
 
 namespace tokay::geometry {

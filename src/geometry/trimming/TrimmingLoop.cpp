@@ -1,10 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/trimming/TrimmingLoop.hpp"
 
 #include "common/errors.hpp"
 #include "geometry/bezier/bezierContact.hpp"
 #include "geometry/quadrature/gaussLegendre.hpp"
-#include <algorithm>
+
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace tokay::geometry {
 
@@ -46,16 +49,19 @@ std::vector<NurbsCurve> closed(std::vector<NurbsCurve> curves, const Parameters&
         const std::size_t before = (i + n - 1) % n;
         const Parameters end = tail(curves[before]), start = head(curves[i]);
         const Parameters gap = (end - start).cwiseAbs();
-        if ((gap.array() > TrimmingLoop::closingTolerance * size.array()).any())
+        if ((gap.array() > TrimmingLoop::closingTolerance * size.array()).any()) {
             throw InputError(fmt::format(
                 "A trimming loop is open: curve {} ends at {}, but curve {} starts at {}. Let each "
                 "curve start where the one before it ends.",
                 before, text(end), i, text(start)));
+        }
         joints[i] = gap.isZero(0) ? start : Parameters(0.5 * (start + end));
     }
-    for (std::size_t i = 0; i < n; ++i)
-        if (head(curves[i]) != joints[i] || tail(curves[i]) != joints[(i + 1) % n])
+    for (std::size_t i = 0; i < n; ++i) {
+        if (head(curves[i]) != joints[i] || tail(curves[i]) != joints[(i + 1) % n]) {
             curves[i] = withEnds(curves[i], joints[i], joints[(i + 1) % n]);
+        }
+    }
     return curves;
 }
 
@@ -67,8 +73,9 @@ void appendMonotone(const PlaneBezier& piece, std::vector<PlaneBezier>& pieces) 
     PlaneBezier rest = piece;
     double done = 0;
     for (const double t : turns) {
-        if (t <= done + 1e-14 || t >= 1 - 1e-14)
+        if (t <= done + 1e-14 || t >= 1 - 1e-14) {
             continue;
+        }
         const auto [first, second] = rest.split((t - done) / (1 - done));
         pieces.push_back(first);
         rest = second;
@@ -81,32 +88,38 @@ std::vector<PlaneBezier> monotonePieces(const std::vector<NurbsCurve>& curves) {
     std::vector<PlaneBezier> pieces;
     for (const NurbsCurve& curve : curves) {
         const std::size_t first = pieces.size();
-        for (const PlaneBezier& piece : PlaneBezier::piecesOf(curve))
+        for (const PlaneBezier& piece : PlaneBezier::piecesOf(curve)) {
             appendMonotone(piece, pieces);
+        }
         // Bezier pieces come from quotients, whose ends may be a rounding off.
         pieces[first] = pieces[first].withEnds(head(curve), pieces[first].end());
         pieces.back() = pieces.back().withEnds(pieces.back().start(), tail(curve));
     }
-    for (std::size_t i = 1; i < pieces.size(); ++i)
-        if (pieces[i].start() != pieces[i - 1].end())
+    for (std::size_t i = 1; i < pieces.size(); ++i) {
+        if (pieces[i].start() != pieces[i - 1].end()) {
             pieces[i] = pieces[i].withEnds(pieces[i - 1].end(), pieces[i].end());
+        }
+    }
     return pieces;
 }
 
 /// Pieces as seen in a box of unit size.
 std::vector<PlaneBezier> scaled(const std::vector<PlaneBezier>& pieces, const ParameterBox& box) {
     std::vector<PlaneBezier> result;
-    for (const PlaneBezier& piece : pieces)
+    for (const PlaneBezier& piece : pieces) {
         result.push_back(piece.scaled(box.lower, box.size().cwiseInverse()));
+    }
     return result;
 }
 
 /// Halves, so that no two pieces of a loop share both ends.
 std::vector<PlaneBezier> halved(const std::vector<PlaneBezier>& pieces) {
     std::vector<PlaneBezier> result;
-    for (const PlaneBezier& piece : pieces)
-        for (const PlaneBezier& half : piece.split(0.5))
+    for (const PlaneBezier& piece : pieces) {
+        for (const PlaneBezier& half : piece.split(0.5)) {
             result.push_back(half);
+        }
+    }
     return result;
 }
 
@@ -114,12 +127,16 @@ std::optional<Parameters> selfContact(const std::vector<PlaneBezier>& pieces) {
     const std::size_t n = pieces.size();
     for (std::size_t i = 0; i < n; ++i) {
         const double tolerance = TrimmingLoop::touchingTolerance;
-        if (const auto found = contactBesideJoint(pieces[i], pieces[(i + 1) % n], tolerance))
+        if (const auto found = contactBesideJoint(pieces[i], pieces[(i + 1) % n], tolerance)) {
             return found;
-        for (std::size_t j = i + 2; j < n; ++j)
-            if ((j + 1) % n != i)
-                if (const auto found = contact(pieces[i], pieces[j], tolerance))
+        }
+        for (std::size_t j = i + 2; j < n; ++j) {
+            if ((j + 1) % n != i) {
+                if (const auto found = contact(pieces[i], pieces[j], tolerance)) {
                     return found;
+                }
+            }
+        }
     }
     return std::nullopt;
 }
@@ -140,12 +157,14 @@ double sectorArea(const PlaneBezier& piece, const Parameters& origin) {
 } // namespace
 
 TrimmingLoop::TrimmingLoop(LoopKind kind, std::vector<NurbsCurve> curves) : kind_(kind) {
-    if (curves.empty())
+    if (curves.empty()) {
         throw InputError("A trimming loop has no curve: give it at least one.");
+    }
     box_ = boxAround(curves);
-    if (!(box_.size().array() > 0).all())
+    if (!(box_.size().array() > 0).all()) {
         throw InputError(fmt::format("A trimming loop has no area: it lies between {} and {}.",
                                      text(box_.lower), text(box_.upper)));
+    }
     curves_ = closed(std::move(curves), box_.size());
     pieces_ = monotonePieces(curves_);
     if (const auto place = selfContact(halved(scaled(pieces_, box_)))) {
@@ -155,18 +174,20 @@ TrimmingLoop::TrimmingLoop(LoopKind kind, std::vector<NurbsCurve> curves) : kind
                                      text(at)));
     }
     const bool isOuter = kind == LoopKind::outer;
-    if ((signedArea() > 0) != isOuter)
+    if ((signedArea() > 0) != isOuter) {
         throw InputError(fmt::format("An {} trimming loop (between {} and {}) runs {}, but must "
                                      "run {}. Reverse its curves and their order.",
                                      isOuter ? "outer" : "inner", text(box_.lower),
                                      text(box_.upper), isOuter ? "clockwise" : "counter-clockwise",
                                      isOuter ? "counter-clockwise" : "clockwise"));
+    }
 }
 
 double TrimmingLoop::signedArea() const {
     double area = 0;
-    for (const PlaneBezier& piece : pieces_)
+    for (const PlaneBezier& piece : pieces_) {
         area += sectorArea(piece, box_.centre());
+    }
     return area;
 }
 
@@ -175,36 +196,43 @@ int TrimmingLoop::winding(const Parameters& point) const {
     for (const PlaneBezier& piece : pieces_) {
         const double from = piece.start()[1], to = piece.end()[1];
         // Half-open, so that a joint counts once.
-        if ((from <= point[1]) == (to <= point[1]))
+        if ((from <= point[1]) == (to <= point[1])) {
             continue;
+        }
         const double low = std::min(piece.start()[0], piece.end()[0]);
         const double high = std::max(piece.start()[0], piece.end()[0]);
         const bool isLeft =
             high < point[0] ||
             (low < point[0] && piece.point(piece.parameterAt(1, point[1]))[0] < point[0]);
-        if (isLeft)
+        if (isLeft) {
             winding += to < from ? 1 : -1;
+        }
     }
     return winding;
 }
 
 Polygon TrimmingLoop::tessellated(const Parameters& chordTolerance) const {
     Polygon polygon;
-    for (const PlaneBezier& piece : pieces_)
+    for (const PlaneBezier& piece : pieces_) {
         piece.appendChords(chordTolerance, polygon);
+    }
     return polygon;
 }
 
 bool TrimmingLoop::meets(const TrimmingLoop& other) const {
-    if (!box_.overlaps(other.box_))
+    if (!box_.overlaps(other.box_)) {
         return false;
+    }
     const bool isLarger = box_.area() >= other.box_.area();
     const ParameterBox& box = isLarger ? box_ : other.box_;
     const std::vector<PlaneBezier> mine = scaled(pieces_, box), theirs = scaled(other.pieces_, box);
-    for (const PlaneBezier& a : mine)
-        for (const PlaneBezier& b : theirs)
-            if (contact(a, b, touchingTolerance))
+    for (const PlaneBezier& a : mine) {
+        for (const PlaneBezier& b : theirs) {
+            if (contact(a, b, touchingTolerance)) {
                 return true;
+            }
+        }
+    }
     return false;
 }
 

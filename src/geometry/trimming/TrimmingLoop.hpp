@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "geometry/spline/NurbsCurve.hpp"
 #include "geometry/bezier/PlaneBezier.hpp"
 #include "geometry/quadrature/Polygon.hpp"
+#include "geometry/spline/NurbsCurve.hpp"
 
 namespace tokay::geometry {
 

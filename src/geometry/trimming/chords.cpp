@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/trimming/chords.hpp"
 
 #include <algorithm>
@@ -39,9 +40,10 @@ struct Chopper {
 std::vector<double> chopped(const std::vector<double>& breakpoints,
                             std::function<Point(double)> point, double tolerance) {
     Chopper chopper{std::move(point), tolerance, {breakpoints.front()}};
-    for (std::size_t i = 0; i + 1 < breakpoints.size(); ++i)
+    for (std::size_t i = 0; i + 1 < breakpoints.size(); ++i) {
         chopper.chop(breakpoints[i], chopper.point(breakpoints[i]), breakpoints[i + 1],
                      chopper.point(breakpoints[i + 1]), 0);
+    }
     return chopper.parameters;
 }
 

@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/trimming/elementQuadrature.hpp"
 
-#include "geometry/trimming/PatchQuadrature.hpp"
 #include "geometry/quadrature/triangleRule.hpp"
+#include "geometry/trimming/PatchQuadrature.hpp"
+
 #include <algorithm>
 
 namespace tokay::geometry {
@@ -34,8 +36,9 @@ void appendCellQuadrature(const Polygon& part, int degree, std::vector<Parameter
         const Parameters& a = part[first];
         const Parameters toB = part[(first + i) % n] - a, toC = part[(first + i + 1) % n] - a;
         const double area = 0.5 * (toB[0] * toC[1] - toB[1] * toC[0]);
-        if (area == 0)
+        if (area == 0) {
             continue;
+        }
         for (std::size_t k = 0; k < rule.points.size(); ++k) {
             const Parameters place = a + rule.points[k][1] * toB + rule.points[k][2] * toC;
             points.push_back({place[0], place[1], area * rule.weights[k]});

@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/trimming/tileRule.hpp"
 
 #include "geometry/quadrature/gaussLegendre.hpp"
+
 #include <algorithm>
 
 namespace tokay::geometry {
@@ -21,21 +23,25 @@ struct Rule {
     int nAcross() const { return degree / 2 + 1; }
     int nAlongSide(const PlaneBezier& side) const;
     void append(const Parameters& point, double weight) const {
-        if (weight > 0)
+        if (weight > 0) {
             points.push_back({point[0], point[1], weight});
+        }
     }
 };
 
 bool isRational(const PlaneBezier& side) {
-    for (int i = 1; i <= side.degree(); ++i)
-        if (side.weight(i) != side.weight(0))
+    for (int i = 1; i <= side.degree(); ++i) {
+        if (side.weight(i) != side.weight(0)) {
             return true;
+        }
+    }
     return false;
 }
 
 int Rule::nAlongSide(const PlaneBezier& side) const {
-    if (nAlong > 0)
+    if (nAlong > 0) {
         return nAlong;
+    }
     // In t: xi^degree integrated across and eta^degree, times the slope of eta.
     const int along = side.degree() * (2 * degree + 2) - 1;
     return along / 2 + 1 + (isRational(side) ? 2 : 0);
@@ -49,8 +55,9 @@ void appendOneSided(const Line& line, const PlaneBezier& side, const Rule& rule)
         const auto [place, derivative] = side.tangent(along.points[k]);
         const double base = line.xiAt(place[1]), width = place[0] - base;
         const double weight = along.weights[k] * derivative[1] * std::abs(width);
-        for (std::size_t l = 0; l < across.points.size(); ++l)
+        for (std::size_t l = 0; l < across.points.size(); ++l) {
             rule.append({base + across.points[l] * width, place[1]}, weight * across.weights[l]);
+        }
     }
 }
 
@@ -60,9 +67,10 @@ void appendByHeight(const Tile& tile, const Rule& rule) {
     for (std::size_t k = 0; k < along.points.size(); ++k) {
         const double eta = tile.etaFrom + along.points[k] * tile.height();
         const double left = tile.left.xiAt(eta), width = tile.right.xiAt(eta) - left;
-        for (std::size_t l = 0; l < along.points.size(); ++l)
+        for (std::size_t l = 0; l < along.points.size(); ++l) {
             rule.append({left + along.points[l] * width, eta},
                         along.weights[k] * along.weights[l] * width * tile.height());
+        }
     }
 }
 
@@ -70,8 +78,9 @@ void appendByHeight(const Tile& tile, const Rule& rule) {
 bool liesBeside(const PlaneBezier& side, const Line& line, double sign) {
     for (int i = 0; i <= side.degree(); ++i) {
         const Parameters point = side.controlPoint(i);
-        if (sign * (point[0] - line.xiAt(point[1])) < 0)
+        if (sign * (point[0] - line.xiAt(point[1])) < 0) {
             return false;
+        }
     }
     return true;
 }
@@ -91,23 +100,26 @@ void appendTwoSided(const Tile& tile, const Rule& rule, int depth) {
         appendByHeight(tile, rule);
         return;
     }
-    for (const auto& [from, to] : {std::pair(tile.etaFrom, middle), std::pair(middle, tile.etaTo)})
+    for (const auto& [from, to] :
+         {std::pair(tile.etaFrom, middle), std::pair(middle, tile.etaTo)}) {
         appendTwoSided({from, to, tile.left.part(from, to), tile.right.part(from, to)}, rule,
                        depth + 1);
+    }
 }
 
 } // namespace
 
 void appendTileRule(const Tile& tile, int degree, int nAlong, std::vector<ParameterPoint>& points) {
     const Rule rule{degree, nAlong, points};
-    if (tile.isRectangle())
+    if (tile.isRectangle()) {
         appendByHeight(tile, rule);
-    else if (!tile.left.curve)
+    } else if (!tile.left.curve) {
         appendOneSided({tile.etaFrom, tile.left.xi, 0}, *tile.right.curve, rule);
-    else if (!tile.right.curve)
+    } else if (!tile.right.curve) {
         appendOneSided({tile.etaFrom, tile.right.xi, 0}, *tile.left.curve, rule);
-    else
+    } else {
         appendTwoSided(tile, rule, 0);
+    }
 }
 
 } // namespace tokay::geometry

@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "geometry/spline/ParameterPoint.hpp"
 #include "geometry/trimming/Tile.hpp"
+
 #include <vector>
 
 namespace tokay::geometry {

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "igaStructure/kinematics/Coupling.hpp"
-#include "igaStructure/kinematics/beam/LineCase.hpp"
 #include "igaStructure/kinematics/OutputOptions.hpp"
+#include "igaStructure/kinematics/beam/LineCase.hpp"
 #include "igaStructure/kinematics/plane/PlaneSolidCase.hpp"
 #include "igaStructure/kinematics/shell/element/ShellDescription.hpp"
 #include "igaStructure/kinematics/solid/SolidDescription.hpp"

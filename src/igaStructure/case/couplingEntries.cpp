@@ -1,6 +1,6 @@
-#include "igaStructure/case/caseEntryTables.hpp"
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "coupling/CouplingOptions.hpp"
+#include "igaStructure/case/caseEntryTables.hpp"
 
 #include <fmt/format.h>
 

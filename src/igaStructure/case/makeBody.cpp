@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/case/makeBody.hpp"
 
+#include "igaStructure/assembly/GeometryError.hpp"
 #include "igaStructure/kinematics/beam/LineBody.hpp"
 #include "igaStructure/kinematics/plane/PlaneBody.hpp"
 #include "igaStructure/kinematics/shell/ShellBody.hpp"
 #include "igaStructure/kinematics/solid/SolidBody.hpp"
-#include "igaStructure/assembly/GeometryError.hpp"
 
 namespace tokay::structure {
 

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "igaStructure/kinematics/Body.hpp"
 #include "igaStructure/case/Case.hpp"
+#include "igaStructure/kinematics/Body.hpp"
 
 namespace tokay::structure {
 

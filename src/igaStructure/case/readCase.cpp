@@ -1,14 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/case/readCase.hpp"
 
 #include "common/errors.hpp"
-#include "igaStructure/caseFile/CaseSection.hpp"
 #include "igaStructure/case/readCoupling.hpp"
-#include "igaStructure/kinematics/readGeometry.hpp"
+#include "igaStructure/caseFile/CaseSection.hpp"
+#include "igaStructure/caseFile/requireUsed.hpp"
 #include "igaStructure/kinematics/beam/readLine.hpp"
 #include "igaStructure/kinematics/plane/readPlaneSolid.hpp"
+#include "igaStructure/kinematics/readGeometry.hpp"
 #include "igaStructure/kinematics/shell/readShell.hpp"
 #include "igaStructure/kinematics/solid/readSolid.hpp"
-#include "igaStructure/caseFile/requireUsed.hpp"
 
 #include <fmt/format.h>
 

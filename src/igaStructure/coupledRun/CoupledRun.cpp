@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/coupledRun/CoupledRun.hpp"
 
-#include "common/errors.hpp"
 #include "channel/PeerError.hpp"
 #include "channel/encoding.hpp"
+#include "common/errors.hpp"
 #include "igaStructure/case/makeBody.hpp"
 #include "igaStructure/case/readCase.hpp"
 #include "igaStructure/case/readCoupling.hpp"

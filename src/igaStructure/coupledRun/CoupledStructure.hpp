@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "igaStructure/coupledRun/CouplingScheme.hpp"
-#include "igaStructure/run/RunOutput.hpp"
 #include "igaStructure/coupledRun/StructureSide.hpp"
 #include "igaStructure/coupledRun/restart.hpp"
+#include "igaStructure/run/RunOutput.hpp"
 
 namespace tokay::structure {
 

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/coupledRun/FluidLink.hpp"
 
-#include "common/version.hpp"
 #include "channel/shakeHands.hpp"
+#include "common/version.hpp"
 #include "igaStructure/run/Interruption.hpp"
 
 namespace tokay::structure {

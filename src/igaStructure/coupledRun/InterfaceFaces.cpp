@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/coupledRun/InterfaceFaces.hpp"
 
 #include "channel/PeerError.hpp"

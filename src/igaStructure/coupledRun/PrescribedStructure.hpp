@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "igaStructure/coupledRun/DisplacementRecord.hpp"
-#include "igaStructure/run/StepReport.hpp"
 #include "igaStructure/coupledRun/StructureSide.hpp"
+#include "igaStructure/run/StepReport.hpp"
 
 namespace tokay::structure {
 

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/coupledRun/WetBoundary.hpp"
 
-#include "common/errors.hpp"
 #include "channel/PeerError.hpp"
+#include "common/errors.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "channel/messages.hpp"
+#include "igaStructure/coupledRun/InterfaceFaces.hpp"
 #include "igaStructure/kinematics/Body.hpp"
 #include "igaStructure/kinematics/Coupling.hpp"
-#include "igaStructure/coupledRun/InterfaceFaces.hpp"
 
 #include <Eigen/Core>
 

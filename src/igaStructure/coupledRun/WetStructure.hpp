@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "coupling/TangentStructure.hpp"
-#include "igaStructure/run/PhaseTimer.hpp"
 #include "igaStructure/coupledRun/WetBoundary.hpp"
+#include "igaStructure/run/PhaseTimer.hpp"
 #include "igaStructure/timeIntegration/SubsteppedIntegrator.hpp"
 
 namespace tokay::structure {

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "igaStructure/kinematics/InterfaceTransfer.hpp"
-#include "igaStructure/output/Place.hpp"
-#include "igaStructure/kinematics/OutputOptions.hpp"
 #include "igaStructure/assembly/StructuralModel.hpp"
+#include "igaStructure/kinematics/InterfaceTransfer.hpp"
+#include "igaStructure/kinematics/OutputOptions.hpp"
+#include "igaStructure/output/Place.hpp"
 #include "igaStructure/output/VtuMesh.hpp"
 #include "igaStructure/timeIntegration/MotionState.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/kinematics/readMaterial.hpp"
 
 #include "igaStructure/caseFile/CaseSection.hpp"

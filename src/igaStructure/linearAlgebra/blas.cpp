@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/linearAlgebra/blas.hpp"
 
 #include <dlfcn.h>

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/run/ResultSeries.hpp"
 
-#include "igaStructure/run/chosenFields.hpp"
 #include "igaStructure/output/writeVtu.hpp"
+#include "igaStructure/run/chosenFields.hpp"
 
 #include <fmt/format.h>
 

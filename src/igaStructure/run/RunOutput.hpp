@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "igaStructure/case/Case.hpp"
-#include "igaStructure/run/ResultSeries.hpp"
 #include "igaStructure/output/ResultTable.hpp"
 #include "igaStructure/run/PhaseTimer.hpp"
+#include "igaStructure/run/ResultSeries.hpp"
 #include "igaStructure/run/StepReport.hpp"
 #include "igaStructure/run/Watch.hpp"
 #include "igaStructure/timeIntegration/TimeIntegrator.hpp"

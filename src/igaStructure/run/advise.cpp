@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/run/advise.hpp"
 
 #include "common/errors.hpp"
-#include "igaStructure/timeIntegration/naturalModes.hpp"
 #include "igaStructure/linearAlgebra/SparseLu.hpp"
+#include "igaStructure/timeIntegration/naturalModes.hpp"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/run/checkCase.hpp"
 
 #include "igaStructure/case/makeBody.hpp"
 #include "igaStructure/case/readCoupling.hpp"
 #include "igaStructure/linearAlgebra/blas.hpp"
-#include "igaStructure/run/chosenFields.hpp"
 #include "igaStructure/run/Watch.hpp"
 #include "igaStructure/run/advise.hpp"
+#include "igaStructure/run/chosenFields.hpp"
 #include "igaStructure/run/describeModel.hpp"
 #include "igaStructure/run/requireSupports.hpp"
 #include "igaStructure/timeIntegration/TimeIntegrator.hpp"

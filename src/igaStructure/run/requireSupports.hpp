@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "igaStructure/case/Case.hpp"
 #include "igaStructure/assembly/StructuralModel.hpp"
+#include "igaStructure/case/Case.hpp"
 
 namespace tokay::structure {
 

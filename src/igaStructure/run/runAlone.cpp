@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/run/runAlone.hpp"
 
 #include "common/errors.hpp"
-#include "igaStructure/timeIntegration/ArcLength.hpp"
 #include "igaStructure/case/makeBody.hpp"
 #include "igaStructure/run/Interruption.hpp"
 #include "igaStructure/run/RunOutput.hpp"
 #include "igaStructure/run/describeModel.hpp"
 #include "igaStructure/run/requireSupports.hpp"
+#include "igaStructure/timeIntegration/ArcLength.hpp"
 #include "igaStructure/timeIntegration/ExplicitIntegrator.hpp"
 
 #include <fmt/format.h>

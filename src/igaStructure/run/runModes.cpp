@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/run/runModes.hpp"
 
-#include "igaStructure/timeIntegration/naturalModes.hpp"
 #include "igaStructure/case/makeBody.hpp"
-#include "igaStructure/run/ResultSeries.hpp"
 #include "igaStructure/output/ResultTable.hpp"
+#include "igaStructure/run/ResultSeries.hpp"
 #include "igaStructure/run/describeModel.hpp"
+#include "igaStructure/timeIntegration/naturalModes.hpp"
 
 #include <fmt/format.h>
 

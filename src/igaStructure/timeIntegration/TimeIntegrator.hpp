@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "igaStructure/linearAlgebra/LinearSolver.hpp"
 #include "igaStructure/assembly/StructuralModel.hpp"
+#include "igaStructure/linearAlgebra/LinearSolver.hpp"
 #include "igaStructure/timeIntegration/Energies.hpp"
 #include "igaStructure/timeIntegration/MotionState.hpp"
 #include "igaStructure/timeIntegration/NewtonOptions.hpp"

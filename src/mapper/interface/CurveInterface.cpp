@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "mapper/interface/CurveInterface.hpp"
 
 #include "common/errors.hpp"
 #include "geometry/projection/ClosestCandidate.hpp"
+
 #include <fmt/format.h>
 
 namespace tokay::mapper {
@@ -9,8 +11,9 @@ namespace tokay::mapper {
 CurveInterface::CurveInterface(std::vector<std::unique_ptr<InterfaceCurve>> curves,
                                Points coordinates)
     : curves_(std::move(curves)), coordinates_(std::move(coordinates)) {
-    if (curves_.empty())
+    if (curves_.empty()) {
         throw InputError("The interface has no piece: name at least one edge.");
+    }
     std::vector<geometry::Box> boxes;
     geometry::Box all = geometry::Box::empty();
     for (const auto& curve : curves_) {
@@ -50,16 +53,19 @@ CurveInterface lineMesh(const Points& vertices, const std::vector<std::array<int
     Points centres(elements.size(), 3);
     for (std::size_t i = 0; i < elements.size(); ++i) {
         const auto [first, last] = elements[i];
-        for (const int vertex : {first, last})
-            if (vertex < 0 || vertex >= vertices.rows())
+        for (const int vertex : {first, last}) {
+            if (vertex < 0 || vertex >= vertices.rows()) {
                 throw InputError(fmt::format("Line element {} names the vertex {}, but there are "
                                              "{} (numbers start at 0).",
                                              i, vertex, vertices.rows()));
+            }
+        }
         Points ends(2, 3);
         ends << vertices.row(first), vertices.row(last);
-        if (!((ends.row(1) - ends.row(0)).norm() > 0))
+        if (!((ends.row(1) - ends.row(0)).norm() > 0)) {
             throw InputError(
                 fmt::format("Line element {} (vertices {} and {}) has no length.", i, first, last));
+        }
         const geometry::NurbsCurve line(geometry::KnotVector::uniform(1, 1), ends);
         curves.push_back(valuesAt == ValuesAt::vertices ? interfaceCurve(line, {first, last})
                                                         : interfaceCell(line, static_cast<int>(i)));

@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "mapper/interface/InterfaceCurve.hpp"
 #include "mapper/interface/ValuesAt.hpp"
+
 #include <array>
 
 namespace tokay::mapper {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "mapper/interface/InterfaceCurve.hpp"
 
 #include "mapper/interface/normalSlopes.hpp"
@@ -70,16 +71,19 @@ class TrimmedEdge : public InterfaceCurve {
         const Point at = curve_.parameterCurve().point(xi);
         const geometry::SurfaceBasis basis = curve_.surface().basis(at[0], at[1], 0);
         Functions functions{basis.controlPoints, basis.N.row(0)};
-        for (int& number : functions.values)
+        for (int& number : functions.values) {
             number = controlPoints_[number];
+        }
         return functions;
     }
     geometry::Box box() const override { return curve_.box(); }
     std::vector<NormalSlope> normalSlopes() const override {
         std::vector<NormalSlope> slopes = mapper::normalSlopes(curve_);
-        for (NormalSlope& slope : slopes)
-            for (int& number : slope.values)
+        for (NormalSlope& slope : slopes) {
+            for (int& number : slope.values) {
                 number = controlPoints_[number];
+            }
+        }
         return slopes;
     }
 

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "geometry/projection/BoxTree.hpp"
-#include "geometry/trimming/CurveOnSurface.hpp"
 #include "geometry/projection/CurveProjector.hpp"
+#include "geometry/trimming/CurveOnSurface.hpp"
 #include "mapper/Discretisation.hpp"
+
 #include <memory>
 
 namespace tokay::mapper {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "mapper/interface/PointCloud.hpp"
 
 #include "geometry/projection/ClosestCandidate.hpp"
@@ -11,8 +12,9 @@ std::vector<geometry::Box> boxesOf(const Points& points) {
     checkPoints(points);
     std::vector<geometry::Box> boxes;
     boxes.reserve(points.rows());
-    for (Eigen::Index i = 0; i < points.rows(); ++i)
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
         boxes.push_back({points.row(i), points.row(i)});
+    }
     return boxes;
 }
 
@@ -26,8 +28,9 @@ Location PointCloud::locate(const Point& point) const {
     geometry::ClosestCandidate candidate(size_);
     int nearest = 0;
     tree_.visitNearest(point, [&](int i) {
-        if (candidate.offer(points_.row(i).transpose() - point))
+        if (candidate.offer(points_.row(i).transpose() - point)) {
             nearest = i;
+        }
         return candidate.squaredLimit();
     });
     return {

@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "geometry/trimming/CurveOnSurface.hpp"
 #include "geometry/projection/SurfaceProjector.hpp"
-#include "geometry/trimming/TrimmedPatch.hpp"
 #include "geometry/projection/surfacePoles.hpp"
+#include "geometry/trimming/CurveOnSurface.hpp"
+#include "geometry/trimming/TrimmedPatch.hpp"
 #include "mapper/Discretisation.hpp"
+
 #include <array>
 
 namespace tokay::mapper {

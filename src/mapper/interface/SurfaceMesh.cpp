@@ -1,10 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "mapper/interface/SurfaceMesh.hpp"
 
 #include "common/errors.hpp"
 #include "geometry/projection/ClosestCandidate.hpp"
 #include "mapper/GapStatistics.hpp"
-#include <algorithm>
+
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace tokay::mapper {
 
@@ -16,8 +19,9 @@ namespace {
 
 Box boxOf(const Triangle& triangle) {
     Box box = Box::empty();
-    for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < 3; ++i) {
         box.include(triangle.corner(i));
+    }
     return box;
 }
 
@@ -27,8 +31,9 @@ SurfaceMesh::SurfaceMesh(Points vertices, Faces faces, ValuesAt valuesAt)
     : vertices_(std::move(vertices)), faces_(std::move(faces)), valuesAt_(valuesAt),
       centroids_(Points::Zero(faces_.size(), 3)) {
     checkPoints(vertices_);
-    if (faces_.empty())
+    if (faces_.empty()) {
         throw InputError("The mesh of the interface has no face.");
+    }
     for (int face = 0; face < nFaces(); ++face) {
         checkFace(face);
         addTriangles(face);
@@ -45,16 +50,19 @@ SurfaceMesh::SurfaceMesh(Points vertices, Faces faces, ValuesAt valuesAt)
 
 void SurfaceMesh::checkFace(int face) const {
     const std::vector<int>& corners = faces_[face];
-    if (corners.size() < 3)
+    if (corners.size() < 3) {
         throw InputError(
             fmt::format("Face {} has {} vertices: a face needs at least 3.", face, corners.size()));
+    }
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        if (corners[i] < 0 || corners[i] >= vertices_.rows())
+        if (corners[i] < 0 || corners[i] >= vertices_.rows()) {
             throw InputError(fmt::format("Face {} names the vertex {}, but there are {} (numbers "
                                          "start at 0).",
                                          face, corners[i], vertices_.rows()));
-        if (std::count(corners.begin(), corners.end(), corners[i]) > 1)
+        }
+        if (std::count(corners.begin(), corners.end(), corners[i]) > 1) {
             throw InputError(fmt::format("Face {} names the vertex {} twice.", face, corners[i]));
+        }
     }
 }
 
@@ -67,15 +75,17 @@ void SurfaceMesh::addTriangles(int face) {
     for (int i = 0; i < (n == 3 ? 1 : n); ++i) {
         const Triangle triangle = n == 3 ? Triangle(points.row(0), points.row(1), points.row(2))
                                          : Triangle(points.row(i), points.row((i + 1) % n), centre);
-        for (int j = 0; j < 3; ++j)
+        for (int j = 0; j < 3; ++j) {
             longest = std::max(longest, (triangle.corner(j) - triangle.corner((j + 1) % 3)).norm());
+        }
         // A vertex in the middle of a side makes no flat triangle with the
         // centre, so a flat one means a broken face.
-        if (!(triangle.area() > 1e-13 * longest * longest))
+        if (!(triangle.area() > 1e-13 * longest * longest)) {
             throw InputError(fmt::format("Face {} has no area at its vertices {} and {} (around "
                                          "({:.6g}, {:.6g}, {:.6g})): repair or remove it.",
                                          face, corners[i], corners[(i + 1) % n], centre[0],
                                          centre[1], centre[2]));
+        }
         area += triangle.area();
         centroids_.row(face) +=
             triangle.area() * triangle.at(Barycentric::Constant(1.0 / 3)).transpose();
@@ -94,8 +104,9 @@ std::array<int, 3> SurfaceMesh::cornerNumbers(int triangle) const {
     const int face = faceOf_[triangle], start = startOf_[triangle];
     const std::vector<int>& corners = faces_[face];
     const int n = static_cast<int>(corners.size());
-    if (n == 3)
+    if (n == 3) {
         return {corners[0], corners[1], corners[2]};
+    }
     return {corners[start], corners[(start + 1) % n], static_cast<int>(vertices_.rows()) + face};
 }
 

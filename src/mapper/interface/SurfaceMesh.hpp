@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "geometry/projection/BoxTree.hpp"
 #include "geometry/quadrature/Triangle.hpp"
 #include "mapper/Discretisation.hpp"
 #include "mapper/interface/ValuesAt.hpp"
+
 #include <memory>
 
 namespace tokay::mapper {

@@ -1,9 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "mapper/interface/normalSlopes.hpp"
 
-#include "geometry/spline/Parameters.hpp"
 #include "geometry/quadrature/gaussLegendre.hpp"
+#include "geometry/spline/Parameters.hpp"
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+
 #include <set>
 
 namespace tokay::mapper {
@@ -27,9 +30,10 @@ std::set<std::array<int, 2>> cutSpans(const CurveOnSurface& edge) {
         const Eigen::Vector2d left =
             Eigen::Vector2d(-c(1, 1) / size[1], c(1, 0) / size[0]).normalized();
         constexpr double aside = 1e-10;
-        for (const double step : {0.0, aside})
+        for (const double step : {0.0, aside}) {
             spans.insert({u.findSpan(c(0, 0) + step * size[0] * left[0]),
                           v.findSpan(c(0, 1) + step * size[1] * left[1])});
+        }
     }
     return spans;
 }
@@ -67,11 +71,13 @@ std::vector<NormalSlope> normalSlopes(const CurveOnSurface& edge) {
     std::vector<NormalSlope> slopes;
     for (const std::array<int, 2>& span : cutSpans(edge)) {
         const ParameterBox box = boxOf(surface, span);
-        for (std::size_t j = 0; j < alongV.points.size(); ++j)
-            for (std::size_t i = 0; i < alongU.points.size(); ++i)
+        for (std::size_t j = 0; j < alongV.points.size(); ++j) {
+            for (std::size_t i = 0; i < alongU.points.size(); ++i) {
                 slopes.push_back(slopeAt(edge, box.lower[0] + alongU.points[i] * box.size()[0],
                                          box.lower[1] + alongV.points[j] * box.size()[1],
                                          alongU.weights[i] * alongV.weights[j] * box.area()));
+            }
+        }
     }
     return slopes;
 }

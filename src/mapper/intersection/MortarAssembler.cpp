@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "mapper/intersection/MortarAssembler.hpp"
 
 #include <Eigen/Cholesky>
+
 #include <algorithm>
 #include <cassert>
 
@@ -10,10 +12,13 @@ namespace {
 
 void append(const std::vector<int>& rows, const std::vector<int>& columns,
             const Eigen::MatrixXd& block, std::vector<Eigen::Triplet<double>>& entries) {
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        for (std::size_t j = 0; j < columns.size(); ++j)
-            if (block(i, j) != 0)
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        for (std::size_t j = 0; j < columns.size(); ++j) {
+            if (block(i, j) != 0) {
                 entries.emplace_back(rows[i], columns[j], block(i, j));
+            }
+        }
+    }
 }
 
 } // namespace
@@ -28,8 +33,9 @@ int MortarAssembler::Part::column(int fromValue) {
     const int number = static_cast<int>(found - fromValues.begin());
     if (found == fromValues.end()) {
         fromValues.push_back(fromValue);
-        if (cross.cols() < number + 1)
+        if (cross.cols() < number + 1) {
             cross.conservativeResize(Eigen::NoChange, 2 * number + 8);
+        }
         cross.col(number).setZero();
     }
     return number;
@@ -37,8 +43,9 @@ int MortarAssembler::Part::column(int fromValue) {
 
 void MortarAssembler::Part::add(double weight, const Functions& to, const Functions& from) {
     assert(toValues == to.values);
-    for (Eigen::Index j = 0; j < mass.cols(); ++j)
+    for (Eigen::Index j = 0; j < mass.cols(); ++j) {
         mass.col(j).noalias() += weight * to.weights[j] * to.weights;
+    }
     for (std::size_t j = 0; j < from.values.size(); ++j) {
         const int number = column(from.values[j]);
         cross.col(number).noalias() += weight * from.weights[j] * to.weights;
@@ -54,11 +61,14 @@ void MortarAssembler::Part::makeDual() {
 }
 
 MortarAssembler::Part& MortarAssembler::partOf(int element, const Functions& to) {
-    for (std::size_t i = 0; i < nParts_; ++i)
-        if (parts_[i].element == element)
+    for (std::size_t i = 0; i < nParts_; ++i) {
+        if (parts_[i].element == element) {
             return parts_[i];
-    if (parts_.size() == nParts_)
+        }
+    }
+    if (parts_.size() == nParts_) {
         parts_.emplace_back();
+    }
     Part& part = parts_[nParts_++];
     const Eigen::Index n = to.weights.size();
     part.element = element;
@@ -74,8 +84,9 @@ void MortarAssembler::add(double weight, const Functions& to, const Functions& f
 }
 
 void MortarAssembler::addUnmatched(const Functions& to) {
-    for (const int value : to.values)
+    for (const int value : to.values) {
         addUnmatched(value);
+    }
 }
 
 void MortarAssembler::close(const Part& part) {
@@ -85,16 +96,18 @@ void MortarAssembler::close(const Part& part) {
         return;
     }
     ElementMass& element = elements_[part.element];
-    if (element.values.empty())
+    if (element.values.empty()) {
         element = {part.toValues, part.mass};
-    else
+    } else {
         element.matrix += part.mass;
+    }
 }
 
 void MortarAssembler::endGroup() {
     for (std::size_t i = 0; i < nParts_; ++i) {
-        if (basis_ == MortarBasis::dual)
+        if (basis_ == MortarBasis::dual) {
             parts_[i].makeDual();
+        }
         close(parts_[i]);
     }
     nParts_ = 0;
@@ -102,8 +115,9 @@ void MortarAssembler::endGroup() {
 
 SparseMatrix MortarAssembler::massMatrix() const {
     std::vector<Eigen::Triplet<double>> entries = mass_;
-    for (const ElementMass& element : elements_)
+    for (const ElementMass& element : elements_) {
         append(element.values, element.values, element.matrix, entries);
+    }
     SparseMatrix matrix(nTo_, nTo_);
     matrix.setFromTriplets(entries.begin(), entries.end());
     return matrix;
@@ -117,8 +131,9 @@ SparseMatrix MortarAssembler::crossMatrix() const {
 
 int MortarAssembler::nUncovered(const SparseMatrix& massMatrix) const {
     int n = 0;
-    for (int i = 0; i < nTo_; ++i)
+    for (int i = 0; i < nTo_; ++i) {
         n += isOnInterface_[i] && massMatrix.coeff(i, i) <= 0;
+    }
     return n;
 }
 

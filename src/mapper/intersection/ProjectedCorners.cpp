@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "mapper/intersection/ProjectedCorners.hpp"
 
 namespace tokay::mapper {
@@ -8,19 +9,24 @@ ProjectedCorners::ProjectedCorners(const SurfaceMesh& mesh, const SurfaceInterfa
 ProjectedCorner ProjectedCorners::at(int triangle, int i, int piece) {
     const int number = mesh_.cornerNumbers(triangle)[i];
     if (number < static_cast<int>(first_.size())) {
-        for (int entry = first_[number]; entry >= 0; entry = entries_[entry].next)
-            if (entries_[entry].piece == piece)
+        for (int entry = first_[number]; entry >= 0; entry = entries_[entry].next) {
+            if (entries_[entry].piece == piece) {
                 return entries_[entry].corner;
+            }
+        }
         entries_.push_back({piece, first_[number], projected(triangle, i, piece)});
         first_[number] = static_cast<int>(entries_.size()) - 1;
         return entries_.back().corner;
     }
-    if (centre_ != number)
+    if (centre_ != number) {
         ofCentre_.clear();
+    }
     centre_ = number;
-    for (const Entry& entry : ofCentre_)
-        if (entry.piece == piece)
+    for (const Entry& entry : ofCentre_) {
+        if (entry.piece == piece) {
             return entry.corner;
+        }
+    }
     ofCentre_.push_back({piece, -1, projected(triangle, i, piece)});
     return ofCentre_.back().corner;
 }

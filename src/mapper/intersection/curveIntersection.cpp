@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "mapper/intersection/curveIntersection.hpp"
 
 #include "geometry/quadrature/gaussLegendre.hpp"
+
 #include <algorithm>
 
 namespace tokay::mapper {
@@ -11,13 +13,15 @@ namespace {
 std::vector<std::vector<double>>
 projectedBreakpoints(const CurveInterface& from, const CurveInterface& to, const GapLimit& limit) {
     std::vector<std::vector<double>> cuts(to.nCurves());
-    for (int i = 0; i < from.nCurves(); ++i)
+    for (int i = 0; i < from.nCurves(); ++i) {
         for (const double xi : from.curve(i).breakpoints()) {
             const Point point = from.curve(i).derivatives(xi, 0).row(0);
             const CurveInterface::Projection found = to.closest(point);
-            if (found.onCurve.distance <= limit.relative * from.size())
+            if (found.onCurve.distance <= limit.relative * from.size()) {
                 cuts[found.piece].push_back(found.onCurve.xi);
+            }
         }
+    }
     return cuts;
 }
 
@@ -26,9 +30,11 @@ projectedBreakpoints(const CurveInterface& from, const CurveInterface& to, const
 std::vector<double> intervals(double first, double last, const std::vector<double>& cuts) {
     const double least = 1e-11 * (last - first);
     std::vector<double> ends = {first};
-    for (const double cut : cuts)
-        if (cut > ends.back() + least && cut < last - least)
+    for (const double cut : cuts) {
+        if (cut > ends.back() + least && cut < last - least) {
             ends.push_back(cut);
+        }
+    }
     ends.push_back(last);
     return ends;
 }
@@ -39,8 +45,9 @@ int nGaussPoints(int degreeTo, int degreeFrom, int nExtra) {
 
 int largestDegree(const CurveInterface& interface) {
     int degree = 0;
-    for (int i = 0; i < interface.nCurves(); ++i)
+    for (int i = 0; i < interface.nCurves(); ++i) {
         degree = std::max(degree, interface.curve(i).degree());
+    }
     return degree;
 }
 
@@ -60,10 +67,11 @@ void integrateIntersection(const CurveInterface& from, const CurveInterface& to,
             const Points d = curve.derivatives(xi, 1);
             const double weight = rule.weights[k] * (last - first) * d.row(1).norm();
             const Location partner = from.locate(d.row(0));
-            if (gaps.count(d.row(0), partner.gap, partner.converged, partner.ambiguous, weight))
+            if (gaps.count(d.row(0), partner.gap, partner.converged, partner.ambiguous, weight)) {
                 assembler.add(weight, curve.functions(xi), partner);
-            else
+            } else {
                 assembler.addUnmatched(curve.functions(xi));
+            }
         }
     };
     for (int i = 0; i < to.nCurves(); ++i) {
@@ -71,8 +79,9 @@ void integrateIntersection(const CurveInterface& from, const CurveInterface& to,
         const std::vector<double>& elements = to.curve(i).breakpoints();
         for (std::size_t e = 0; e + 1 < elements.size(); ++e) {
             const std::vector<double> ends = intervals(elements[e], elements[e + 1], cuts[i]);
-            for (std::size_t k = 0; k + 1 < ends.size(); ++k)
+            for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
                 integrateInterval(to.curve(i), ends[k], ends[k + 1]);
+            }
             assembler.endGroup();
         }
     }

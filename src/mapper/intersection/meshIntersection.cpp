@@ -1,8 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "mapper/intersection/meshIntersection.hpp"
 
 #include "geometry/quadrature/Polygon.hpp"
 #include "geometry/quadrature/triangleRule.hpp"
+
 #include <Eigen/Geometry>
+
 #include <algorithm>
 
 namespace tokay::mapper {
@@ -19,8 +22,9 @@ using Rectangle = Eigen::AlignedBox2d;
 
 Rectangle around(const Polygon& polygon) {
     Rectangle rectangle;
-    for (const Eigen::Vector2d& corner : polygon)
+    for (const Eigen::Vector2d& corner : polygon) {
         rectangle.extend(corner);
+    }
     return rectangle;
 }
 
@@ -38,10 +42,12 @@ class Plane {
     /// Counter-clockwise, whichever way the triangle faces.
     Polygon project(const Triangle& triangle) const {
         Polygon polygon;
-        for (int i = 0; i < 3; ++i)
+        for (int i = 0; i < 3; ++i) {
             polygon.push_back(project(triangle.corner(i)));
-        if (signedArea(polygon) < 0)
+        }
+        if (signedArea(polygon) < 0) {
             std::swap(polygon[1], polygon[2]);
+        }
         return polygon;
     }
 
@@ -59,8 +65,9 @@ class Plane {
 
 geometry::Box boxOf(const Triangle& triangle) {
     geometry::Box box = geometry::Box::empty();
-    for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < 3; ++i) {
         box.include(triangle.corner(i));
+    }
     return box;
 }
 
@@ -89,9 +96,10 @@ class Integration {
         const Plane plane(destination);
         const Polygon target = plane.project(destination);
         double covered = 0;
-        for (const int i : sourcesAlongNormal(destination, plane, target))
+        for (const int i : sourcesAlongNormal(destination, plane, target)) {
             covered += overPiece(number, i, plane,
                                  clippedByConvex(plane.project(from_.triangle(i)), target));
+        }
         countUncovered(number, destination.area() - covered);
     }
 
@@ -118,19 +126,23 @@ class Integration {
                        &source = from_.triangle(fromTriangle);
         const double area = piece.size() < 3 ? 0 : signedArea(piece);
         // A touching neighbour gives a piece of rounding size.
-        if (area <= 1e-14 * destination.area())
+        if (area <= 1e-14 * destination.area()) {
             return 0;
+        }
         Eigen::Vector2d middle = Eigen::Vector2d::Zero();
-        for (const Eigen::Vector2d& corner : piece)
+        for (const Eigen::Vector2d& corner : piece) {
             middle += corner / static_cast<double>(piece.size());
-        if (!isClosest(from_, source, plane.lift(middle), 1e-6 * from_.size()))
+        }
+        if (!isClosest(from_, source, plane.lift(middle), 1e-6 * from_.size())) {
             return 0;
+        }
         for (std::size_t i = 1; i + 1 < piece.size(); ++i) {
             const Triangle part(plane.lift(piece[0]), plane.lift(piece[i]),
                                 plane.lift(piece[i + 1]));
-            for (std::size_t k = 0; k < rule_.points.size(); ++k)
+            for (std::size_t k = 0; k < rule_.points.size(); ++k) {
                 addPoint(toTriangle, fromTriangle, part.at(rule_.points[k]),
                          rule_.weights[k] * part.area());
+            }
         }
         return area;
     }
@@ -140,15 +152,17 @@ class Integration {
         const double gap = (from_.triangle(fromTriangle).at(inSource) - point).norm();
         const Functions functions =
             to_.functions(toTriangle, to_.triangle(toTriangle).barycentric(point));
-        if (gaps_.count(point, gap, true, false, weight))
+        if (gaps_.count(point, gap, true, false, weight)) {
             assembler_.add(weight, functions, from_.functions(fromTriangle, inSource));
-        else
+        } else {
             assembler_.addUnmatched(functions);
+        }
     }
 
     void countUncovered(int toTriangle, double area) {
-        if (area <= 1e-9 * to_.triangle(toTriangle).area())
+        if (area <= 1e-9 * to_.triangle(toTriangle).area()) {
             return;
+        }
         gaps_.countUncovered(area);
         assembler_.addUnmatched(to_.functions(toTriangle, Barycentric::Constant(1.0 / 3)));
     }
@@ -167,8 +181,9 @@ void integrateIntersection(const SurfaceMesh& from, const SurfaceMesh& to, const
     Integration integration(from, to, gapLimit, assembler, gaps);
     for (int i = 0; i < to.nTriangles(); ++i) {
         integration.overTriangle(i);
-        if (i + 1 == to.nTriangles() || to.faceOf(i + 1) != to.faceOf(i))
+        if (i + 1 == to.nTriangles() || to.faceOf(i + 1) != to.faceOf(i)) {
             assembler.endGroup();
+        }
     }
 }
 

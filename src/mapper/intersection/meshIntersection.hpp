@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "mapper/GapStatistics.hpp"
-#include "mapper/intersection/MortarAssembler.hpp"
 #include "mapper/interface/SurfaceMesh.hpp"
+#include "mapper/intersection/MortarAssembler.hpp"
 
 namespace tokay::mapper {
 

@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "mapper/intersection/parameterPolygon.hpp"
 
 #include <Eigen/LU>
+
 #include <algorithm>
 
 namespace tokay::mapper {
@@ -25,14 +27,16 @@ Eigen::Vector2d continuation(const NurbsSurface& surface, const Eigen::Vector2d&
                              const Eigen::Matrix<double, 3, 2>& tangents, const Point& offset) {
     Eigen::Vector2d step = Eigen::Vector2d::Zero();
     const Eigen::Matrix2d metric = tangents.transpose() * tangents;
-    if (metric.determinant() > 1e-20 * metric.trace() * metric.trace())
+    if (metric.determinant() > 1e-20 * metric.trace() * metric.trace()) {
         step = metric.inverse() * (tangents.transpose() * offset);
+    }
     for (int axis = 0; axis < 2; ++axis) {
         const KnotVector& knots = direction(surface, axis);
         const bool leaves = !isClosed[axis] && ((at[axis] <= knots.first() && step[axis] < 0) ||
                                                 (at[axis] >= knots.last() && step[axis] > 0));
-        if (!leaves)
+        if (!leaves) {
             step[axis] = 0;
+        }
     }
     return step;
 }
@@ -47,9 +51,11 @@ double onKnotLine(const KnotVector& knots, double x) {
                        : above == breakpoints.end() ? above - 1
                                                     : above;
     const double first = *(upper - 1), last = *upper;
-    for (const double knot : {first, last})
-        if (std::abs(x - knot) <= next * (last - first))
+    for (const double knot : {first, last}) {
+        if (std::abs(x - knot) <= next * (last - first)) {
             return knot;
+        }
+    }
     return x;
 }
 
@@ -58,23 +64,28 @@ int farthestFromSeam(const KnotVector& knots, int axis,
                      const std::array<ProjectedCorner, 3>& corners) {
     const double middle = 0.5 * (knots.first() + knots.last());
     int best = -1;
-    for (int i = 0; i < 3; ++i)
-        if (!corners[i].isFree[axis] && (best < 0 || std::abs(corners[i].at[axis] - middle) <
-                                                         std::abs(corners[best].at[axis] - middle)))
+    for (int i = 0; i < 3; ++i) {
+        if (!corners[i].isFree[axis] &&
+            (best < 0 ||
+             std::abs(corners[i].at[axis] - middle) < std::abs(corners[best].at[axis] - middle))) {
             best = i;
+        }
+    }
     return std::max(best, 0);
 }
 
 void unwrap(const NurbsSurface& surface, std::array<bool, 2> isClosed,
             std::array<ProjectedCorner, 3>& corners) {
     for (int axis = 0; axis < 2; ++axis) {
-        if (!isClosed[axis])
+        if (!isClosed[axis]) {
             continue;
+        }
         const KnotVector& knots = direction(surface, axis);
         const double period = knots.last() - knots.first();
         const double reference = corners[farthestFromSeam(knots, axis, corners)].at[axis];
-        for (ProjectedCorner& corner : corners)
+        for (ProjectedCorner& corner : corners) {
             corner.at[axis] -= period * std::round((corner.at[axis] - reference) / period);
+        }
     }
 }
 
@@ -92,13 +103,15 @@ ProjectedCorner projectedCorner(const NurbsSurface& surface,
     ProjectedCorner corner;
     corner.at = {found.xi, found.eta};
     const Eigen::Vector2d step = continuation(surface, corner.at, isClosed, tangents, offset);
-    for (int axis = 0; axis < 2; ++axis)
+    for (int axis = 0; axis < 2; ++axis) {
         corner.at[axis] = onKnotLine(direction(surface, axis), corner.at[axis] + step[axis]);
+    }
     corner.gap = (offset - tangents * step).norm();
     corner.converged = found.converged;
     const double longest = tangents.colwise().norm().maxCoeff();
-    for (int axis = 0; axis < 2; ++axis)
+    for (int axis = 0; axis < 2; ++axis) {
         corner.isFree[axis] = tangents.col(axis).norm() < 1e-9 * longest;
+    }
     return corner;
 }
 
@@ -120,8 +133,9 @@ Polygon parameterPolygon(const NurbsSurface& surface, std::array<bool, 2> isClos
             polygon.push_back(end);
         }
     }
-    if (signedArea(polygon) < 0)
+    if (signedArea(polygon) < 0) {
         std::reverse(polygon.begin(), polygon.end());
+    }
     return polygon;
 }
 

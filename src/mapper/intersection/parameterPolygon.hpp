@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "geometry/quadrature/Polygon.hpp"
 #include "geometry/projection/SurfaceProjector.hpp"
+#include "geometry/quadrature/Polygon.hpp"
+
 #include <array>
 
 namespace tokay::mapper {

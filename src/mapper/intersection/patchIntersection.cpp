@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "mapper/intersection/patchIntersection.hpp"
 
 #include "geometry/spline/SurfaceEvaluator.hpp"
 #include "geometry/trimming/elementQuadrature.hpp"
 #include "mapper/intersection/ProjectedCorners.hpp"
 #include "mapper/intersection/polePartition.hpp"
+
 #include <algorithm>
 #include <limits>
 
@@ -39,8 +41,9 @@ class Intersection {
                  const IntersectionVisitor& visitor)
         : mesh_(mesh), splines_(splines), reach_(reach), degree_(degree), visitor_(visitor),
           corners_(mesh, splines), tree_(boxes(splines)) {
-        for (int i = 0; i < splines.nPieces(); ++i)
+        for (int i = 0; i < splines.nPieces(); ++i) {
             evaluators_.emplace_back(splines.piece(i).patch.basis());
+        }
     }
 
     void run() {
@@ -48,8 +51,9 @@ class Intersection {
             const std::vector<int> pieces = tree_.overlapping(reachOf(triangle));
             hasRivals_ = pieces.size() > 1;
             double share = 0;
-            for (const int piece : pieces)
+            for (const int piece : pieces) {
                 share += overPatch(triangle, piece);
+            }
             visitor_.endTriangle(triangle, std::min(share, 1.0));
         }
     }
@@ -57,15 +61,17 @@ class Intersection {
   private:
     static std::vector<geometry::Box> boxes(const SurfaceInterface& splines) {
         std::vector<geometry::Box> boxes;
-        for (int i = 0; i < splines.nPieces(); ++i)
+        for (int i = 0; i < splines.nPieces(); ++i) {
             boxes.push_back(splines.box(i));
+        }
         return boxes;
     }
 
     geometry::Box reachOf(int triangle) const {
         geometry::Box box = geometry::Box::empty();
-        for (int i = 0; i < 3; ++i)
+        for (int i = 0; i < 3; ++i) {
             box.include(mesh_.triangle(triangle).corner(i));
+        }
         return {box.lower - Point::Constant(reach_), box.upper + Point::Constant(reach_)};
     }
 
@@ -76,19 +82,22 @@ class Intersection {
         for (int i = 0; i < 3; ++i) {
             corners[i] = corners_.at(triangle, i, piece);
             least = std::min(least, corners[i].gap);
-            if (!corners[i].converged)
+            if (!corners[i].converged) {
                 return 0;
+            }
         }
-        if (least > reach_)
+        if (least > reach_) {
             return 0;
+        }
         double covered = 0, whole = 0;
         for (const auto& part :
              partsAroundPole(splines_, piece, mesh_.triangle(triangle), corners)) {
             const Polygon polygon = parameterPolygon(splines_.piece(piece).patch.basis(),
                                                      splines_.isClosed(piece), part);
             const double area = signedArea(polygon);
-            if (!(area > 0))
+            if (!(area > 0)) {
                 continue;
+            }
             whole += area;
             covered += overAllTurns(triangle, piece, polygon);
         }
@@ -98,17 +107,20 @@ class Intersection {
     /// A polygon over a seam lies at both ends of the parameter range.
     double overAllTurns(int triangle, int piece, const Polygon& polygon) {
         const std::array<bool, 2> isClosed = splines_.isClosed(piece);
-        if (!isClosed[0] && !isClosed[1])
+        if (!isClosed[0] && !isClosed[1]) {
             return overElements(triangle, piece, polygon);
+        }
         const Eigen::Vector2d period = splines_.piece(piece).patch.box().size();
         double area = 0;
-        for (int j = isClosed[1] ? -1 : 0; j <= (isClosed[1] ? 1 : 0); ++j)
+        for (int j = isClosed[1] ? -1 : 0; j <= (isClosed[1] ? 1 : 0); ++j) {
             for (int i = isClosed[0] ? -1 : 0; i <= (isClosed[0] ? 1 : 0); ++i) {
                 Polygon turned = polygon;
-                for (Eigen::Vector2d& x : turned)
+                for (Eigen::Vector2d& x : turned) {
                     x += Eigen::Vector2d(i * period[0], j * period[1]);
+                }
                 area += overElements(triangle, piece, turned);
             }
+        }
         return area;
     }
 
@@ -122,7 +134,7 @@ class Intersection {
         const Span u = spansBetween(patch.basis().u(), lower[0], upper[0]);
         const Span v = spansBetween(patch.basis().v(), lower[1], upper[1]);
         double area = 0;
-        for (int j = v.begin; j < v.end; ++j)
+        for (int j = v.begin; j < v.end; ++j) {
             for (int i = u.begin; i < u.end; ++i) {
                 const int element = patch.elementNumber(i, j);
                 const geometry::ParameterBox box = patch.elementBox(element);
@@ -132,6 +144,7 @@ class Intersection {
                                     isInside ? polygon
                                              : clippedByRectangle(polygon, box.lower, box.upper));
             }
+        }
         return area;
     }
 
@@ -139,14 +152,17 @@ class Intersection {
     double overElement(int triangle, int piece, int element, const Polygon& cell) {
         const TrimmedPatch& patch = splines_.piece(piece).patch;
         if (patch.state(element) == ElementState::empty || cell.size() < 3 ||
-            (hasRivals_ && !isClosest(triangle, piece, cell)))
+            (hasRivals_ && !isClosest(triangle, piece, cell))) {
             return 0;
+        }
         points_.clear();
-        if (patch.state(element) == ElementState::cut)
-            for (const Polygon& part : patch.clipped(cell))
+        if (patch.state(element) == ElementState::cut) {
+            for (const Polygon& part : patch.clipped(cell)) {
                 geometry::appendCellQuadrature(part, degree_, points_);
-        else
+            }
+        } else {
             geometry::appendCellQuadrature(cell, degree_, points_);
+        }
         evaluators_[piece].enter(patch.elementBox(element).centre());
         double area = 0;
         for (const geometry::ParameterPoint& at : points_) {
@@ -159,8 +175,9 @@ class Intersection {
     /// Of patches within reach, as the sides of a thin body, the nearest counts.
     bool isClosest(int triangle, int piece, const Polygon& cell) const {
         Eigen::Vector2d middle = Eigen::Vector2d::Zero();
-        for (const Eigen::Vector2d& x : cell)
+        for (const Eigen::Vector2d& x : cell) {
             middle += x / static_cast<double>(cell.size());
+        }
         const Triangle& plane = mesh_.triangle(triangle);
         const Point here = splines_.piece(piece).patch.basis().point(middle[0], middle[1]);
         const Point foot = plane.at(plane.barycentric(here));
@@ -180,8 +197,9 @@ class Intersection {
         point_.piece = piece;
         point_.element = splines_.elementNumber(piece, element);
         point_.onPatch.values = surface.controlPoints();
-        for (int& number : point_.onPatch.values)
+        for (int& number : point_.onPatch.values) {
             number = numbers[number];
+        }
         point_.onPatch.weights = surface.N();
         visitor_.point(point_);
     }

@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "mapper/interface/SurfaceInterface.hpp"
 #include "mapper/interface/SurfaceMesh.hpp"
+
 #include <functional>
 
 namespace tokay::mapper {

@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "mapper/mortar/GradientExtension.hpp"
 
 #include "common/errors.hpp"
 #include "mapper/mortar/activeRows.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -24,10 +26,12 @@ double largest(const ColumnMatrix& matrix) {
 
 void append(const ColumnMatrix& block, Eigen::Index row, Eigen::Index column, double factor,
             std::vector<Eigen::Triplet<double>>& entries) {
-    for (int j = 0; j < block.outerSize(); ++j)
-        for (ColumnMatrix::InnerIterator entry(block, j); entry; ++entry)
+    for (int j = 0; j < block.outerSize(); ++j) {
+        for (ColumnMatrix::InnerIterator entry(block, j); entry; ++entry) {
             entries.emplace_back(static_cast<int>(row + entry.row()),
                                  static_cast<int>(column + entry.col()), factor * entry.value());
+        }
+    }
 }
 
 /// Both blocks of one size, so that pivots compare.
@@ -47,28 +51,33 @@ ColumnMatrix saddleMatrix(const ColumnMatrix& gradient, const ColumnMatrix& trac
 
 GradientExtension::GradientExtension(const SparseMatrix& mass, const SparseMatrix& gradient)
     : n_(mass.rows()) {
-    if (gradient.nonZeros() == 0)
+    if (gradient.nonZeros() == 0) {
         throw SolverError("There is no gradient term on this interface: it has no edge of a "
                           "trimmed patch. Choose the minimum norm solution.");
+    }
     active_ = rowsOfEither(mass, gradient);
     trace_.compute(restricted(mass, active_));
-    if (trace_.info() != Eigen::Success)
+    if (trace_.info() != Eigen::Success) {
         throw SolverError("The QR decomposition of the mass matrix failed (SPQR).");
+    }
     rank_ = trace_.rank();
     saddle_.compute(saddleMatrix(restricted(gradient, active_), traceRows()));
-    if (saddle_.info() != Eigen::Success)
+    if (saddle_.info() != Eigen::Success) {
         throw SolverError("The gradient term leaves values on the interface open: choose the "
                           "minimum norm solution.");
+    }
 }
 
 GradientExtension::ColumnMatrix GradientExtension::traceRows() const {
     const ColumnMatrix permuted = ColumnMatrix(trace_.matrixR()).topRows(rank_);
     const auto columns = trace_.colsPermutation();
     std::vector<Eigen::Triplet<double>> entries;
-    for (int j = 0; j < permuted.outerSize(); ++j)
-        for (ColumnMatrix::InnerIterator entry(permuted, j); entry; ++entry)
+    for (int j = 0; j < permuted.outerSize(); ++j) {
+        for (ColumnMatrix::InnerIterator entry(permuted, j); entry; ++entry) {
             entries.emplace_back(static_cast<int>(entry.row()),
                                  static_cast<int>(columns.indices()[j]), entry.value());
+        }
+    }
     ColumnMatrix rows(rank_, permuted.cols());
     rows.setFromTriplets(entries.begin(), entries.end());
     return rows;

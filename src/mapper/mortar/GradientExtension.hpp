@@ -1,8 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "mapper/SparseMatrix.hpp"
+
 #include <Eigen/SPQRSupport>
 #include <Eigen/SparseLU>
+
 #include <vector>
 
 namespace tokay::mapper {

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "mapper/mortar/MassInverse.hpp"
 
 #include "common/errors.hpp"
 #include "mapper/mortar/GradientExtension.hpp"
 #include "mapper/mortar/activeRows.hpp"
 #include "mapper/mortar/largestEigenvalue.hpp"
+
 #include <Eigen/CholmodSupport>
 #include <Eigen/SPQRSupport>
 #include <fmt/format.h>
@@ -42,10 +44,11 @@ class MassInverse::PseudoInverse : public Factorisation {
         const ColumnMatrix rows = ColumnMatrix(first_.matrixR()).topRows(rank_);
         second_.setPivotThreshold(0); // the rank is told once
         decompose(second_, rows.transpose());
-        if (second_.rank() != rank_)
+        if (second_.rank() != rank_) {
             throw SolverError(fmt::format("The mass matrix has rank {} by its columns and {} by "
                                           "its rows.",
                                           rank_, second_.rank()));
+        }
         triangle_ = ColumnMatrix(second_.matrixR()).topLeftCorner(rank_, rank_);
     }
     int rank() const { return rank_; }
@@ -64,8 +67,9 @@ class MassInverse::PseudoInverse : public Factorisation {
   private:
     static void decompose(Eigen::SPQR<ColumnMatrix>& qr, const ColumnMatrix& matrix) {
         qr.compute(matrix);
-        if (qr.info() != Eigen::Success)
+        if (qr.info() != Eigen::Success) {
             throw SolverError("The QR decomposition of the mass matrix failed (SPQR).");
+        }
     }
 
     Eigen::SPQR<ColumnMatrix> first_, second_;
@@ -85,8 +89,9 @@ MassInverse::MassInverse(const SparseMatrix& matrix, SingularMass singular,
                          const SparseMatrix& gradientTerm)
     : n_(static_cast<int>(matrix.rows())), active_(rowsNotZero(matrix)),
       reduced_(restricted(matrix, active_)) {
-    if (active_.empty())
+    if (active_.empty()) {
         throw SolverError("The mass matrix is zero: the two sides of the interface do not meet.");
+    }
     // Beyond this condition Cholesky's answer has no digit that SPQR would call certain.
     constexpr double largestCondition = 1e13;
     auto cholesky = std::make_unique<Cholesky>(reduced_);
@@ -100,17 +105,19 @@ MassInverse::MassInverse(const SparseMatrix& matrix, SingularMass singular,
     }
     auto pseudoInverse = std::make_unique<PseudoInverse>(reduced_);
     rank_ = pseudoInverse->rank();
-    if (rank_ < nActive() && singular == SingularMass::refuse)
+    if (rank_ < nActive() && singular == SingularMass::refuse) {
         throw SolverError(fmt::format(
             "The mass matrix of the destination is singular: {} functions reach the interface, "
             "but their traces span only {} dimensions (a trimmed edge does that). Choose the "
             "minimum norm solution or the gradient term, or map to an edge that the basis "
             "interpolates.",
             nActive(), rank_));
+    }
     condition_ = conditionWith(*pseudoInverse);
     factorisation_ = std::move(pseudoInverse);
-    if (isSingular() && singular == SingularMass::gradientTerm)
+    if (isSingular() && singular == SingularMass::gradientTerm) {
         extension_ = std::make_unique<GradientExtension>(matrix, gradientTerm);
+    }
 }
 
 MassInverse::~MassInverse() = default;

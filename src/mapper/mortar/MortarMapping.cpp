@@ -1,23 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "mapper/mortar/MortarMapping.hpp"
 
 #include "common/errors.hpp"
 #include "geometry/spline/SurfaceEvaluator.hpp"
 #include "geometry/trimming/elementQuadrature.hpp"
-#include "mapper/intersection/SplineFacets.hpp"
 #include "mapper/Stopwatch.hpp"
 #include "mapper/conservation.hpp"
+#include "mapper/intersection/SplineFacets.hpp"
 #include "mapper/intersection/curveIntersection.hpp"
 #include "mapper/intersection/meshIntersection.hpp"
-#include "mapper/mortar/normalEnergy.hpp"
 #include "mapper/intersection/patchIntersection.hpp"
+#include "mapper/mortar/normalEnergy.hpp"
 
 namespace tokay::mapper {
 
 namespace {
 
 int quadratureDegree(const SurfaceInterface& splines, const MortarOptions& options) {
-    if (options.patchQuadratureDegree > 0)
+    if (options.patchQuadratureDegree > 0) {
         return options.patchQuadratureDegree;
+    }
     int degree = 1;
     for (int i = 0; i < splines.nPieces(); ++i) {
         const geometry::NurbsSurface& surface = splines.piece(i).patch.basis();
@@ -32,13 +34,15 @@ double markPatches(const SurfaceInterface& splines, int degree, MortarAssembler&
     for (int i = 0; i < splines.nPieces(); ++i) {
         const geometry::TrimmedPatch& patch = splines.piece(i).patch;
         geometry::SurfaceEvaluator surface(patch.basis());
-        for (int element = 0; element < patch.nElements(); ++element)
+        for (int element = 0; element < patch.nElements(); ++element) {
             for (const auto& at : elementQuadrature(patch, element, degree)) {
                 surface.moveTo(at.xi, at.eta);
                 area += at.weight * surface.jacobian();
-                for (const int number : surface.controlPoints())
+                for (const int number : surface.controlPoints()) {
                     assembler.addUnmatched(splines.piece(i).controlPoints[number]);
+                }
             }
+        }
     }
     return area;
 }
@@ -52,19 +56,23 @@ void integrateIntersection(const SurfaceMesh& from, const SurfaceInterface& to,
     IntersectionVisitor visitor;
     visitor.point = [&](const IntersectionPoint& at) {
         covered += at.weight;
-        if (!gaps.count(at.position, at.gap, true, false, at.weight))
+        if (!gaps.count(at.position, at.gap, true, false, at.weight)) {
             return;
+        }
         from.evaluate(at.triangle, at.inTriangle, onMesh);
         assembler.add(at.weight, at.onPatch, onMesh, at.element);
     };
     visitor.endTriangle = [&](int triangle, double) {
-        if (triangle + 1 == from.nTriangles() || from.faceOf(triangle + 1) != from.faceOf(triangle))
+        if (triangle + 1 == from.nTriangles() ||
+            from.faceOf(triangle + 1) != from.faceOf(triangle)) {
             assembler.endGroup();
+        }
     };
     intersect(from, to, options.gapLimit.relative * from.size(), degree, visitor);
     const double area = markPatches(to, degree, assembler);
-    if (covered < (1 - 1e-9) * area)
+    if (covered < (1 - 1e-9) * area) {
         gaps.countUncovered(area - covered);
+    }
 }
 
 void integrateIntersection(const SurfaceInterface& from, const SurfaceMesh& to,
@@ -74,10 +82,11 @@ void integrateIntersection(const SurfaceInterface& from, const SurfaceMesh& to,
     IntersectionVisitor visitor;
     visitor.point = [&](const IntersectionPoint& at) {
         to.evaluate(at.triangle, at.inTriangle, onMesh);
-        if (gaps.count(at.position, at.gap, true, false, at.weight))
+        if (gaps.count(at.position, at.gap, true, false, at.weight)) {
             assembler.add(at.weight, onMesh, at.onPatch);
-        else
+        } else {
             assembler.addUnmatched(onMesh);
+        }
     };
     visitor.endTriangle = [&](int triangle, double coveredShare) {
         if (coveredShare < 1 - 1e-9) {
@@ -85,8 +94,9 @@ void integrateIntersection(const SurfaceInterface& from, const SurfaceMesh& to,
             assembler.addUnmatched(
                 to.functions(triangle, geometry::Barycentric::Constant(1.0 / 3)));
         }
-        if (triangle + 1 == to.nTriangles() || to.faceOf(triangle + 1) != to.faceOf(triangle))
+        if (triangle + 1 == to.nTriangles() || to.faceOf(triangle + 1) != to.faceOf(triangle)) {
             assembler.endGroup();
+        }
     };
     intersect(to, from, options.gapLimit.relative * from.size(), quadratureDegree(from, options),
               visitor);
@@ -107,21 +117,25 @@ void integrateIntersection(const SurfaceInterface& from, const SurfaceInterface&
         covered += at.weight;
         const int piece = facets.pieces[at.triangle];
         const geometry::SurfaceProjection source = from.projector(piece).closest(at.position);
-        if (gaps.count(at.position, source.distance, source.converged, source.ambiguous, at.weight))
+        if (gaps.count(at.position, source.distance, source.converged, source.ambiguous,
+                       at.weight)) {
             assembler.add(at.weight, at.onPatch, from.functions(piece, source.xi, source.eta),
                           at.element);
+        }
     };
     visitor.endTriangle = [&](int, double) { assembler.endGroup(); };
     intersect(facets.mesh, to, options.gapLimit.relative * from.size(), degree, visitor);
     const double area = markPatches(to, degree, assembler);
-    if (covered < (1 - 1e-9) * area)
+    if (covered < (1 - 1e-9) * area) {
         gaps.countUncovered(area - covered);
+    }
 }
 
 void refuseDualBasis(const MortarOptions& options) {
-    if (options.basis == MortarBasis::dual)
+    if (options.basis == MortarBasis::dual) {
         throw InputError("There is no dual basis for splines on patches: choose the standard "
                          "mortar basis.");
+    }
 }
 
 } // namespace
@@ -194,9 +208,10 @@ void MortarMapping::finish(const MortarAssembler& assembler, const MortarOptions
     report_.nInverted = inverse_->nActive();
     report_.rank = inverse_->rank();
     report_.condition = inverse_->conditionOnRange();
-    if (inverse_->isSingular())
+    if (inverse_->isSingular()) {
         report_.regularisation =
             options.singular == SingularMass::gradientTerm ? "gradient term" : "minimum norm";
+    }
 
     // A singular mass matrix leaves values open, but not the field: errors are
     // measured in the field, by test tractions.

@@ -1,12 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mapper/interface/CurveInterface.hpp"
 #include "mapper/GapStatistics.hpp"
 #include "mapper/Mapping.hpp"
-#include "mapper/mortar/MassInverse.hpp"
-#include "mapper/intersection/MortarAssembler.hpp"
+#include "mapper/interface/CurveInterface.hpp"
 #include "mapper/interface/SurfaceInterface.hpp"
 #include "mapper/interface/SurfaceMesh.hpp"
+#include "mapper/intersection/MortarAssembler.hpp"
+#include "mapper/mortar/MassInverse.hpp"
+
 #include <optional>
 
 namespace tokay::mapper {

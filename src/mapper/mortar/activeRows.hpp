@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "mapper/SparseMatrix.hpp"
+
 #include <vector>
 
 namespace tokay::mapper {

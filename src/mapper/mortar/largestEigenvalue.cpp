@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "mapper/mortar/largestEigenvalue.hpp"
 
 #include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,8 +14,9 @@ namespace {
 /// No symmetry, so that no eigenvector is missed.
 Eigen::VectorXd startVector(Eigen::Index n) {
     Eigen::VectorXd v(n);
-    for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index i = 0; i < n; ++i) {
         v[i] = 1 + std::sin(1.0 + 3.0 * static_cast<double>(i));
+    }
     return v.normalized();
 }
 
@@ -31,19 +34,22 @@ double largestEigenvalue(Eigen::Index n,
     for (Eigen::Index k = 0; k < nSteps; ++k) {
         Eigen::VectorXd next = apply(basis.col(k));
         diagonal[k] = basis.col(k).dot(next);
-        if (!std::isfinite(diagonal[k]))
+        if (!std::isfinite(diagonal[k])) {
             return std::numeric_limits<double>::infinity();
+        }
         const auto known = basis.leftCols(k + 1);
-        for (int pass = 0; pass < 2; ++pass)
+        for (int pass = 0; pass < 2; ++pass) {
             next -= known * (known.transpose() * next).eval();
+        }
         offDiagonal[k] = next.norm();
 
         Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> projected;
         projected.computeFromTridiagonal(diagonal.head(k + 1), offDiagonal.head(k));
         eigenvalue = projected.eigenvalues()[k];
         const double residual = offDiagonal[k] * std::abs(projected.eigenvectors()(k, k));
-        if (residual <= tolerance * eigenvalue || k + 1 == nSteps)
+        if (residual <= tolerance * eigenvalue || k + 1 == nSteps) {
             break;
+        }
         basis.col(k + 1) = next / offDiagonal[k];
     }
     return eigenvalue;

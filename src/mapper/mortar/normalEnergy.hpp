@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mapper/interface/CurveInterface.hpp"
 #include "mapper/SparseMatrix.hpp"
+#include "mapper/interface/CurveInterface.hpp"
 
 namespace tokay::mapper {
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "mapper/nearest/NearestElementMapping.hpp"
 
 #include "mapper/Stopwatch.hpp"
@@ -17,8 +18,9 @@ NearestElementMapping::NearestElementMapping(const Discretisation& from, const P
     for (int i = 0; i < to.rows(); ++i) {
         const Location location = from.locate(to.row(i));
         gaps.count(to.row(i), location.gap, location.converged, location.ambiguous);
-        for (std::size_t j = 0; j < location.values.size(); ++j)
+        for (std::size_t j = 0; j < location.values.size(); ++j) {
             entries.emplace_back(i, location.values[j], location.weights[j]);
+        }
     }
     gaps.enter(report_);
     matrix_.setFromTriplets(entries.begin(), entries.end());

@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "mapper/offset/OffsetMapping.hpp"
 
 #include "common/errors.hpp"
 #include "mapper/Stopwatch.hpp"
 #include "mapper/conservation.hpp"
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <fmt/format.h>
@@ -14,10 +16,11 @@ namespace {
 void checkPlane(const SplineInterface& axis) {
     for (const SplinePiece& piece : axis.pieces()) {
         const auto z = piece.curve.controlPoints().col(2);
-        if (z.maxCoeff() - z.minCoeff() > 1e-9 * axis.size())
+        if (z.maxCoeff() - z.minCoeff() > 1e-9 * axis.size()) {
             throw InputError(fmt::format("The beam axis {} does not lie in a plane z = const: its "
                                          "control points reach from z = {:.6g} to {:.6g}.",
                                          piece.name, z.minCoeff(), z.maxCoeff()));
+        }
     }
 }
 
@@ -60,8 +63,9 @@ OffsetMapping::OffsetMapping(const SurfaceInterface& middle, const Points& to,
         gaps.count(point, at.distance, at.converged, at.ambiguous);
         const SurfacePiece& piece = middle.piece(found.piece);
         geometry::SurfaceBasis basis = piece.patch.basis().basis(at.xi, at.eta, 1);
-        for (int& number : basis.controlPoints)
+        for (int& number : basis.controlPoints) {
             number = piece.controlPoints[number];
+        }
         attach(point, std::move(basis.controlPoints), std::move(basis.N));
     }
     finish(gaps, to);
@@ -71,10 +75,11 @@ OffsetMapping::OffsetMapping(const SurfaceInterface& middle, const Points& to,
 void OffsetMapping::attach(const Point& point, std::vector<int> controlPoints, Eigen::MatrixXd N) {
     Attachment attachment{std::move(controlPoints), std::move(N), 0, Eigen::Vector2d::Zero()};
     const Frame frame = frameOf(attachment, controlPoints_);
-    if (!(frame.area > 0))
+    if (!(frame.area > 0)) {
         throw InputError(fmt::format("The point at ({:.6g}, {:.6g}, {:.6g}) projects onto a place "
                                      "where the surface has no normal (a pole).",
                                      point[0], point[1], point[2]));
+    }
     const Point offset = point - frame.r;
     attachment.zeta = offset.dot(frame.a3);
     Eigen::Matrix<double, 3, 2> tangents;
@@ -82,8 +87,9 @@ void OffsetMapping::attach(const Point& point, std::vector<int> controlPoints, E
     attachment.tangential =
         (tangents.transpose() * tangents).inverse() * (tangents.transpose() * offset);
     // Out of the beam's plane there is no motion to follow.
-    if (isBeam_)
+    if (isBeam_) {
         attachment.tangential[1] = 0;
+    }
     attachments_.push_back(std::move(attachment));
 }
 
@@ -93,12 +99,14 @@ void OffsetMapping::finish(const GapStatistics& gaps, const Points& to) {
     translation.rowwise() = Eigen::RowVector3d(1, 1, 1);
     report_.rowSumError = (apply(translation).array() - 1).abs().maxCoeff();
     Points forces = testForces(to.rows());
-    if (isBeam_)
+    if (isBeam_) {
         forces.col(2).setZero();
+    }
     measureConservation(*this, forces, controlPoints_, to, report_);
-    for (const Attachment& attachment : attachments_)
+    for (const Attachment& attachment : attachments_) {
         report_.bytes += static_cast<double>(attachment.N.size()) * sizeof(double) +
                          static_cast<double>(attachment.controlPoints.size()) * sizeof(int);
+    }
 }
 
 OffsetMapping::Frame OffsetMapping::frameOf(const Attachment& attachment,
@@ -122,9 +130,10 @@ Points OffsetMapping::moved(const Points& displacements) const {
                attachment.tangential[1] * frame.a2;
     };
     Points result(attachments_.size(), 3);
-    for (std::size_t i = 0; i < attachments_.size(); ++i)
+    for (std::size_t i = 0; i < attachments_.size(); ++i) {
         result.row(i) = position(attachments_[i], frameOf(attachments_[i], current)) -
                         position(attachments_[i], frameOf(attachments_[i], controlPoints_));
+    }
     return result;
 }
 
@@ -158,16 +167,18 @@ Points OffsetMapping::forces(const Points& displacements, const Points& forces) 
         conjugate.row(1) = frame.a2.cross(g) + attachment.tangential[0] * f;
         conjugate.row(2) = g.cross(frame.a1) + attachment.tangential[1] * f;
         const Points local = attachment.N.transpose() * conjugate;
-        for (std::size_t j = 0; j < attachment.controlPoints.size(); ++j)
+        for (std::size_t j = 0; j < attachment.controlPoints.size(); ++j) {
             result.row(attachment.controlPoints[j]) += local.row(j);
+        }
     }
     return result;
 }
 
 Eigen::VectorXd OffsetMapping::offsets() const {
     Eigen::VectorXd offsets(attachments_.size());
-    for (std::size_t i = 0; i < attachments_.size(); ++i)
+    for (std::size_t i = 0; i < attachments_.size(); ++i) {
         offsets[i] = attachments_[i].zeta;
+    }
     return offsets;
 }
 

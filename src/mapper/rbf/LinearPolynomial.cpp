@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "mapper/rbf/LinearPolynomial.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -14,8 +15,9 @@ LinearPolynomial::LinearPolynomial(const Points& cloud, double leastExtent)
     axes_.resize(0, 3);
     for (int i = 2; i >= 0; --i) {
         const double along = std::sqrt(std::max(principal.eigenvalues()[i], 0.0));
-        if (!(along > leastExtent * largest) || extent == 0)
+        if (!(along > leastExtent * largest) || extent == 0) {
             break;
+        }
         axes_.conservativeResize(axes_.rows() + 1, 3);
         axes_.row(axes_.rows() - 1) =
             principal.eigenvectors().col(i).transpose() * (largest / along) / extent;

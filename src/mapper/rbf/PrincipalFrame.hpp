@@ -1,7 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "geometry/spline/Points.hpp"
+
 #include <Eigen/Eigenvalues>
+
 #include <cmath>
 
 namespace tokay::mapper {
@@ -19,9 +22,11 @@ class PrincipalFrame {
         axes_ = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(
                     Eigen::Matrix3d(centred.transpose() * centred))
                     .eigenvectors();
-        for (int i = 0; i < 3; ++i)
-            if (centred.row(0) * axes_.col(i) < 0)
+        for (int i = 0; i < 3; ++i) {
+            if (centred.row(0) * axes_.col(i) < 0) {
                 axes_.col(i) *= -1;
+            }
+        }
         const double extent = std::sqrt(centred.rowwise().squaredNorm().maxCoeff());
         step_ = extent > 0 ? 1e-9 * extent : 1;
         coordinates_ = (centred * axes_ / step_).array().round();

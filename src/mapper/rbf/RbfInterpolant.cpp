@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "mapper/rbf/RbfInterpolant.hpp"
 
 #include "common/errors.hpp"
-#include "mapper/rbf/LinearPolynomial.hpp"
 #include "mapper/SparseMatrix.hpp"
+#include "mapper/rbf/LinearPolynomial.hpp"
+
 #include <Eigen/CholmodSupport>
 #include <Eigen/LU>
 #include <fmt/format.h>
@@ -56,11 +58,12 @@ class Sparse : public RbfInterpolant {
         const Eigen::SparseMatrix<double> matrix = kernels(from, from, tree, kernel, radius);
         factorised_.cholmod().print = 0;
         factorised_.compute(matrix);
-        if (factorised_.info() != Eigen::Success)
+        if (factorised_.info() != Eigen::Success) {
             throw SolverError(fmt::format("The matrix of the radial basis functions of radius "
                                           "{:.4g} m could not be factorised: choose a smaller "
                                           "radius.",
                                           radius));
+        }
         const LinearPolynomial polynomial(from);
         polynomials_ = polynomial.values(from);
         polynomialsThere_ = polynomial.values(to);
@@ -91,8 +94,9 @@ class Sparse : public RbfInterpolant {
             for (const int j : tree.overlapping(
                      {point - Point::Constant(radius), point + Point::Constant(radius)})) {
                 const double r = (centres.row(j).transpose() - point).norm() / radius;
-                if (r < 1)
+                if (r < 1) {
                     entries.emplace_back(i, j, valueOf(kernel, r));
+                }
             }
         }
         SparseMatrix matrix(at.rows(), centres.rows());
@@ -122,17 +126,20 @@ std::unique_ptr<RbfInterpolant> sparseInterpolant(const Points& from, const Poin
 std::vector<geometry::Box> pointBoxes(const Points& points) {
     std::vector<geometry::Box> boxes;
     boxes.reserve(points.rows());
-    for (Eigen::Index i = 0; i < points.rows(); ++i)
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
         boxes.push_back({points.row(i), points.row(i)});
+    }
     return boxes;
 }
 
 Eigen::MatrixXd kernelMatrix(const Points& at, const Points& centres, RadialKernel kernel,
                              double scale) {
     Eigen::MatrixXd values(at.rows(), centres.rows());
-    for (Eigen::Index j = 0; j < centres.rows(); ++j)
-        for (Eigen::Index i = 0; i < at.rows(); ++i)
+    for (Eigen::Index j = 0; j < centres.rows(); ++j) {
+        for (Eigen::Index i = 0; i < at.rows(); ++i) {
             values(i, j) = valueOf(kernel, (at.row(i) - centres.row(j)).norm() / scale);
+        }
+    }
     return values;
 }
 

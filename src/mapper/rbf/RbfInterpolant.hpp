@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "geometry/projection/BoxTree.hpp"
 #include "mapper/Discretisation.hpp"
 #include "mapper/rbf/RadialKernel.hpp"
+
 #include <memory>
 
 namespace tokay::mapper {

@@ -1,12 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "mapper/rbf/RbfMapping.hpp"
 
 #include "common/errors.hpp"
-#include "mapper/rbf/LinearPolynomial.hpp"
-#include "mapper/interface/PointCloud.hpp"
 #include "mapper/Stopwatch.hpp"
 #include "mapper/conservation.hpp"
-#include <algorithm>
+#include "mapper/interface/PointCloud.hpp"
+#include "mapper/rbf/LinearPolynomial.hpp"
+
 #include <fmt/format.h>
+
+#include <algorithm>
 #include <limits>
 
 namespace tokay::mapper {
@@ -18,30 +21,35 @@ double distanceToNeighbour(const Points& points, const geometry::BoxTree& tree, 
     double distance = 0;
     tree.visitNearest(points.row(point), [&](int other) {
         distance = (points.row(other) - points.row(point)).norm();
-        if (other != point)
+        if (other != point) {
             --k;
+        }
         return k > 0 ? std::numeric_limits<double>::infinity() : -1.0;
     });
     return distance;
 }
 
 void refuseCoincidingPoints(const Points& points, const geometry::BoxTree& tree, double size) {
-    if (points.rows() < 2)
+    if (points.rows() < 2) {
         return;
-    for (int i = 0; i < points.rows(); ++i)
-        if (distanceToNeighbour(points, tree, i, 1) <= 1e-12 * size)
+    }
+    for (int i = 0; i < points.rows(); ++i) {
+        if (distanceToNeighbour(points, tree, i, 1) <= 1e-12 * size) {
             throw InputError(fmt::format("Source point {} at ({:.6g}, {:.6g}, {:.6g}) coincides "
                                          "with another one: radial basis functions need distinct "
                                          "points; merge them.",
                                          i, points(i, 0), points(i, 1), points(i, 2)));
+        }
+    }
 }
 
 /// The largest distance to the k-th neighbour, so that no point is lonely.
 double automaticRadius(const Points& points, const geometry::BoxTree& tree, int nNeighbours) {
     const int k = std::min<int>(nNeighbours, static_cast<int>(points.rows()) - 1);
     double radius = 0;
-    for (int i = 0; i < points.rows(); ++i)
+    for (int i = 0; i < points.rows(); ++i) {
         radius = std::max(radius, distanceToNeighbour(points, tree, i, k));
+    }
     return radius;
 }
 
@@ -51,17 +59,19 @@ double denseBytes(Eigen::Index nFrom, Eigen::Index nTo) {
 }
 
 void refuseTooManyDensePoints(Eigen::Index nFrom, Eigen::Index nTo) {
-    if (nFrom > RbfMapping::maxDensePoints)
+    if (nFrom > RbfMapping::maxDensePoints) {
         throw InputError(fmt::format("The thin plate kernel needs a dense matrix of {0} x {0} "
                                      "points; the limit is {1}. Choose the partition of unity, "
                                      "or compactC2 or compactC6.",
                                      nFrom, RbfMapping::maxDensePoints));
-    if (denseBytes(nFrom, nTo) > RbfMapping::maxDenseBytes)
+    }
+    if (denseBytes(nFrom, nTo) > RbfMapping::maxDenseBytes) {
         throw InputError(fmt::format(
             "The thin plate kernel solved globally needs a dense matrix of {} destination x {} "
             "source points, {:.3g} GB; the limit is {:.3g} GB. Choose the partition of unity, or "
             "compactC2 or compactC6.",
             nTo, nFrom, denseBytes(nFrom, nTo) / 1e9, RbfMapping::maxDenseBytes / 1e9));
+    }
 }
 
 int defaultNeighbours(const Points& points) {
@@ -73,8 +83,9 @@ int defaultNeighbours(const Points& points) {
 
 RbfSolution chosenSolution(const RbfOptions& options, Eigen::Index nFrom, Eigen::Index nTo) {
     constexpr Eigen::Index mostPoints = 300;
-    if (options.solution != RbfSolution::automatic)
+    if (options.solution != RbfSolution::automatic) {
         return options.solution;
+    }
     const bool isGlobal =
         options.kernel == RadialKernel::thinPlate
             ? nFrom <= mostPoints && denseBytes(nFrom, nTo) <= RbfMapping::maxDenseBytes
@@ -90,8 +101,9 @@ RbfMapping::RbfMapping(const Points& from, const Points& to, const RbfOptions& o
     refuseCoincidingPoints(from, tree, cloud.size());
 
     GapStatistics gaps(options.gapLimit, cloud.size());
-    for (int i = 0; i < to.rows(); ++i)
+    for (int i = 0; i < to.rows(); ++i) {
         gaps.count(to.row(i), cloud.locate(to.row(i)).gap, true, false);
+    }
     report_.method = "radial basis functions, " + nameOf(options.kernel);
     gaps.enter(report_);
 

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "mapper/GapStatistics.hpp"
 #include "mapper/Mapping.hpp"
 #include "mapper/rbf/RadialKernel.hpp"
 #include "mapper/rbf/RbfInterpolant.hpp"
+
 #include <memory>
 
 namespace tokay::mapper {

@@ -1,7 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "mapper/rbf/LinearPolynomial.hpp"
 #include "mapper/rbf/PrincipalFrame.hpp"
 #include "mapper/rbf/RbfInterpolant.hpp"
+
 #include <Eigen/LU>
+
 #include <algorithm>
 #include <limits>
 #include <numeric>
@@ -64,8 +67,9 @@ Ball ballAround(const std::vector<int>& cell, const Points& points, const Princi
                 const geometry::BoxTree& tree, int nPerBall) {
     const Point centre = frame.at(boxAround(frame.coordinates(), cell).centre());
     Ball ball{centre, reachOf(points, tree, centre, nPerBall), {}, {}};
-    for (const int i : cell)
+    for (const int i : cell) {
         ball.radius = std::max(ball.radius, 1.1 * (points.row(i).transpose() - ball.centre).norm());
+    }
     // The farthest point lies inside; of a single one any reach will do.
     ball.radius = ball.radius > 0 ? ball.radius * (1 + 1e-12) : 1;
     ball.from = pointsWithin(points, tree, ball.centre, ball.radius);
@@ -84,31 +88,36 @@ class Partition : public RbfInterpolant {
         std::vector<Ball> balls = ballsOver(from, tree, nPerBall);
         assign(from, to, tree, balls);
         const Eigen::VectorXd sums = weightSums(to, balls);
-        for (const Ball& ball : balls)
-            if (!ball.to.empty())
+        for (const Ball& ball : balls) {
+            if (!ball.to.empty()) {
                 blocks_.push_back(blockOf(ball, from, to, kernel, sums));
+            }
+        }
     }
 
     Eigen::MatrixXd apply(const Eigen::MatrixXd& values) const override {
         const Eigen::MatrixXd fitted = fit_ * values, rest = values - polynomials_ * fitted;
         Eigen::MatrixXd mapped = polynomialsThere_ * fitted;
-        for (const Block& block : blocks_)
+        for (const Block& block : blocks_) {
             mapped(block.to, Eigen::all) += block.matrix * rest(block.from, Eigen::all);
+        }
         return mapped;
     }
     Eigen::MatrixXd applyTransposed(const Eigen::MatrixXd& forces) const override {
         Eigen::MatrixXd spread = Eigen::MatrixXd::Zero(nFrom_, forces.cols());
-        for (const Block& block : blocks_)
+        for (const Block& block : blocks_) {
             spread(block.from, Eigen::all) +=
                 block.matrix.transpose() * forces(block.to, Eigen::all);
+        }
         const Eigen::MatrixXd rest =
             polynomialsThere_.transpose() * forces - polynomials_.transpose() * spread;
         return spread + fit_.transpose() * rest;
     }
     double bytes() const override {
         double numbers = static_cast<double>(2 * polynomials_.size() + polynomialsThere_.size());
-        for (const Block& block : blocks_)
+        for (const Block& block : blocks_) {
             numbers += static_cast<double>(block.matrix.size());
+        }
         return sizeof(double) * numbers;
     }
 
@@ -127,8 +136,9 @@ class Partition : public RbfInterpolant {
         const PrincipalFrame frame(from);
         appendCells(frame.coordinates(), std::max(1, nPerBall / 3), std::move(all), cells);
         std::vector<Ball> balls;
-        for (const std::vector<int>& cell : cells)
+        for (const std::vector<int>& cell : cells) {
             balls.push_back(ballAround(cell, from, frame, tree, nPerBall));
+        }
         return balls;
     }
 
@@ -141,17 +151,21 @@ class Partition : public RbfInterpolant {
         std::vector<int> ballOf(from.rows(), 0);
         for (std::size_t b = 0; b < balls.size(); ++b) {
             balls[b].to = pointsWithin(to, treeThere, balls[b].centre, balls[b].radius);
-            for (const int i : balls[b].to)
+            for (const int i : balls[b].to) {
                 isInside[i] = 1;
-            for (const int i : balls[b].from)
+            }
+            for (const int i : balls[b].from) {
                 ballOf[i] = static_cast<int>(b);
+            }
         }
-        for (int i = 0; i < to.rows(); ++i)
-            if (!isInside[i])
+        for (int i = 0; i < to.rows(); ++i) {
+            if (!isInside[i]) {
                 tree.visitNearest(to.row(i), [&](int nearest) {
                     balls[ballOf[nearest]].to.push_back(i);
                     return -1.0;
                 });
+            }
+        }
     }
 
     /// Not zero on the rim and beyond, where a point may have no other ball.
@@ -162,9 +176,11 @@ class Partition : public RbfInterpolant {
 
     static Eigen::VectorXd weightSums(const Points& to, const std::vector<Ball>& balls) {
         Eigen::VectorXd sums = Eigen::VectorXd::Zero(to.rows());
-        for (const Ball& ball : balls)
-            for (const int i : ball.to)
+        for (const Ball& ball : balls) {
+            for (const int i : ball.to) {
                 sums[i] += weight(ball, to, i);
+            }
+        }
         return sums;
     }
 
@@ -184,9 +200,10 @@ class Partition : public RbfInterpolant {
         const Eigen::MatrixXd solved =
             Eigen::PartialPivLU<Eigen::MatrixXd>(system).solve(evaluation.transpose());
         Block block{ball.from, ball.to, solved.topRows(n).transpose()};
-        for (std::size_t i = 0; i < ball.to.size(); ++i)
+        for (std::size_t i = 0; i < ball.to.size(); ++i) {
             block.matrix.row(static_cast<Eigen::Index>(i)) *=
                 weight(ball, to, ball.to[i]) / sums[ball.to[i]];
+        }
         return block;
     }
 

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/bezier/BezierPatch.hpp"
-
 #include "geometry/bezier/bezierPieces.hpp"
 #include "sampleGeometry.hpp"
+
 #include <gtest/gtest.h>
 
 namespace tokay::geometry {
@@ -9,7 +10,7 @@ namespace tokay::geometry {
 TEST(BezierPatch, hasTheDerivativesOfTheSurface) {
     const NurbsSurface rational = sampleSurface();
     const NurbsSurface polynomial(rational.u(), rational.v(), rational.controlPoints());
-    for (const NurbsSurface& surface : {rational, polynomial})
+    for (const NurbsSurface& surface : {rational, polynomial}) {
         for (const NurbsSurface& piece : bezierPieces(surface)) {
             const BezierPatch patch(piece);
             // Second derivatives are sums of terms of the size p (p - 1) / length^2
@@ -17,14 +18,16 @@ TEST(BezierPatch, hasTheDerivativesOfTheSurface) {
             const double length = (patch.upper() - patch.lower()).minCoeff();
             const double rounding =
                 4e-15 * 6 / (length * length) * piece.controlPoints().cwiseAbs().maxCoeff();
-            for (const double s : sampleParameters(4))
+            for (const double s : sampleParameters(4)) {
                 for (const double t : sampleParameters(4)) {
                     const Eigen::Vector2d at = patch.lower() + Eigen::Vector2d(s, t).cwiseProduct(
                                                                    patch.upper() - patch.lower());
                     const Points expected = piece.derivatives(at[0], at[1], 2);
                     EXPECT_LT((patch.derivatives(at) - expected).cwiseAbs().maxCoeff(), rounding);
                 }
+            }
         }
+    }
 }
 
 TEST(BezierPatch, linearPatchesHaveNoSecondDerivative) {

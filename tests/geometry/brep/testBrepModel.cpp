@@ -1,10 +1,12 @@
-#include "geometry/brep/BrepModel.hpp"
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "expectInputError.hpp"
+#include "geometry/brep/BrepModel.hpp"
 #include "geometry/primitives/primitives.hpp"
 #include "sampleModels.hpp"
-#include <cmath>
+
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace tokay::geometry {
 
@@ -12,8 +14,9 @@ namespace {
 
 int countShared(const BrepModel& model) {
     int n = 0;
-    for (const BrepEdge& edge : model.edges())
+    for (const BrepEdge& edge : model.edges()) {
         n += edge.trims.size() == 2;
+    }
     return n;
 }
 
@@ -25,11 +28,12 @@ TEST(BrepModel, findsTheEdgesThatFacesShare) {
     EXPECT_EQ(model.edges().size(), 3u + 1 + 1 + 3); // free, hole, shared, free
     const BrepEdge& shared = model.edges()[model.edgeNumber("left.1-right.3")];
     EXPECT_FALSE(shared.trims[1].isForward) << "both loops run counter-clockwise";
-    for (const double t : {0.0, 0.3, 1.0})
+    for (const double t : {0.0, 0.3, 1.0}) {
         EXPECT_LT((model.curveInSpace(shared.trims[0]).derivatives(t, 0) -
                    model.curveInSpace(shared.trims[1]).derivatives(1 - t, 0))
                       .norm(),
                   1e-15);
+    }
     EXPECT_EQ(countShared(halfCylinders()), 2);
 }
 
@@ -41,8 +45,9 @@ TEST(BrepModel, seamAndPolesOfASphereAreOneEdge) {
 }
 
 TEST(BrepModel, gapsAreMeasuredAndLimited) {
-    for (const EdgeGap& gap : twoSquares().gaps())
+    for (const EdgeGap& gap : twoSquares().gaps()) {
         EXPECT_LT(gap.distance, 1e-15);
+    }
     const BrepModel model = twoSquares(1e-3);
     const std::vector<EdgeGap> gaps = model.gaps();
     ASSERT_EQ(gaps.size(), 1u);

@@ -1,13 +1,15 @@
-#include "geometry/brep/cadJson.hpp"
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "expectInputError.hpp"
-#include "geometry/trimming/PatchQuadrature.hpp"
+#include "geometry/brep/cadJson.hpp"
 #include "geometry/primitives/primitives.hpp"
+#include "geometry/trimming/PatchQuadrature.hpp"
 #include "sampleLoops.hpp"
 #include "sampleModels.hpp"
+
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <fstream>
-#include <gtest/gtest.h>
 #include <sstream>
 
 namespace tokay::geometry {
@@ -72,8 +74,9 @@ std::string replaced(std::string text, const std::string& old, const std::string
 
 double modelArea(const BrepModel& model) {
     double sum = 0;
-    for (const BrepFace& f : model.faces())
+    for (const BrepFace& f : model.faces()) {
         sum += area(PatchQuadrature(f.patch));
+    }
     return sum;
 }
 
@@ -94,11 +97,13 @@ void expectSame(const BrepModel& a, const BrepModel& b) {
         EXPECT_EQ(a.patch(f).surface().controlPoints(), b.patch(f).surface().controlPoints());
         EXPECT_EQ(a.patch(f).surface().weights(), b.patch(f).surface().weights());
         ASSERT_EQ(a.patch(f).loops().size(), b.patch(f).loops().size());
-        for (std::size_t l = 0; l < a.patch(f).loops().size(); ++l)
+        for (std::size_t l = 0; l < a.patch(f).loops().size(); ++l) {
             EXPECT_EQ(a.patch(f).loops()[l].kind(), b.patch(f).loops()[l].kind());
+        }
         ASSERT_EQ(a.nCurves(f), b.nCurves(f));
-        for (int c = 0; c < a.nCurves(f); ++c)
+        for (int c = 0; c < a.nCurves(f); ++c) {
             expectSameCurve(a.curve(f, c), b.curve(f, c));
+        }
     }
     ASSERT_EQ(a.edges().size(), b.edges().size());
     for (std::size_t e = 0; e < a.edges().size(); ++e) {
@@ -110,8 +115,9 @@ void expectSame(const BrepModel& a, const BrepModel& b) {
             EXPECT_EQ(a.edges()[e].trims[t].isForward, b.edges()[e].trims[t].isForward);
         }
         ASSERT_EQ(a.edges()[e].curve.has_value(), b.edges()[e].curve.has_value());
-        if (a.edges()[e].curve)
+        if (a.edges()[e].curve) {
             expectSameCurve(*a.edges()[e].curve, *b.edges()[e].curve);
+        }
     }
 }
 
@@ -184,12 +190,13 @@ TEST(CadJson, aPeriodicSurfaceIsReadClosedAndSmooth) {
     // As CAD programs write a tube: control points repeat, outer knots are left out.
     const int n = 10;
     std::string points;
-    for (int j = 0; j < 2; ++j)
+    for (int j = 0; j < 2; ++j) {
         for (int i = 0; i < n; ++i) {
             const double angle = std::acos(-1.0) / 4 * i;
             points += (points.empty() ? "[1, [" : ", [1, [") + std::to_string(std::cos(angle)) +
                       ", " + std::to_string(std::sin(angle)) + ", " + std::to_string(j) + ", 1]]";
         }
+    }
     const std::string text =
         "{\"breps\": [{\"brep_id\": 1, \"faces\": [{\"brep_name\": \"tube\", \"surface\": "
         "{\"degrees\": [2, 1], \"knot_vectors\": [[-1, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9], [0, 1]], "
@@ -199,8 +206,9 @@ TEST(CadJson, aPeriodicSurfaceIsReadClosedAndSmooth) {
     const NurbsSurface& tube = model.patch(model.faceNumber("tube")).surface();
     EXPECT_EQ(tube.u().first(), 0);
     EXPECT_EQ(tube.u().last(), 8);
-    for (const double eta : {0.0, 0.4, 1.0})
+    for (const double eta : {0.0, 0.4, 1.0}) {
         EXPECT_LT((tube.derivatives(0, eta, 1) - tube.derivatives(8, eta, 1)).norm(), 1e-14);
+    }
     // Knots lie midway between control points.
     EXPECT_LT(
         (tube.point(3, 0.5) -

@@ -1,13 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/brep/ModelProjector.hpp"
-
 #include "geometry/primitives/primitives.hpp"
 #include "geometry/spline/refinement.hpp"
 #include "sampleGeometry.hpp"
 #include "sampleLoops.hpp"
 #include "sampleModels.hpp"
+
 #include <Eigen/Geometry>
-#include <cmath>
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace tokay::geometry {
 
@@ -32,11 +34,12 @@ BrepModel roof() {
 TEST(ModelProjector, findsTheFootOfPointsAboveEveryFace) {
     const BrepModel model = twoSquares(0.1);
     const ModelProjector projector(model);
-    for (int face = 0; face < 2; ++face)
-        for (const double xi : sampleParameters(21))
+    for (int face = 0; face < 2; ++face) {
+        for (const double xi : sampleParameters(21)) {
             for (const double eta : sampleParameters(21)) {
-                if (!model.patch(face).contains({xi, eta}))
+                if (!model.patch(face).contains({xi, eta})) {
                     continue;
+                }
                 const Point foot = model.patch(face).surface().point(xi, eta);
                 const ModelProjection found = projector.closest(foot + Point(0, 0, 0.04));
                 EXPECT_TRUE(found.converged);
@@ -45,13 +48,15 @@ TEST(ModelProjector, findsTheFootOfPointsAboveEveryFace) {
                 EXPECT_NEAR(found.xi, xi, 1e-14);
                 EXPECT_NEAR(found.eta, eta, 1e-14);
             }
+        }
+    }
 }
 
 TEST(ModelProjector, pointsOverAHoleGetItsRim) {
     const BrepModel model = twoSquares(); // a hole of radius 0.25 at (0.5, 0.5)
     const ModelProjector projector(model);
-    for (const double radius : {0.01, 0.1, 0.2, 0.2499999})
-        for (const double angle : sampleParameters(17))
+    for (const double radius : {0.01, 0.1, 0.2, 0.2499999}) {
+        for (const double angle : sampleParameters(17)) {
             for (const double height : {0.0, 0.3}) {
                 const Point direction(std::cos(6 * angle), std::sin(6 * angle), 0);
                 const Point point = Point(0.5, 0.5, height) + radius * direction;
@@ -63,6 +68,8 @@ TEST(ModelProjector, pointsOverAHoleGetItsRim) {
                 const Point place = model.patch(0).surface().point(found.xi, found.eta);
                 EXPECT_LT((place - Point(0.5, 0.5, 0) - 0.25 * direction).norm(), 1e-11);
             }
+        }
+    }
     EXPECT_TRUE(projector.closest(Point(0.5, 0.5, 0.3)).ambiguous);
     const ModelProjection beyond = projector.closest(Point(-3, 0.5, 4));
     EXPECT_TRUE(beyond.isOnRim);
@@ -93,16 +100,20 @@ TEST(ModelProjector, neverMissesANearerPlaceOfATrimmedSurface) {
                                                circleLoop(LoopKind::inner, {0.4, 0.5}, 0.2)});
     const PatchProjector projector(patch);
     std::vector<Point> places;
-    for (const double xi : sampleParameters(101))
-        for (const double eta : sampleParameters(101))
-            if (patch.contains({xi, eta}))
+    for (const double xi : sampleParameters(101)) {
+        for (const double eta : sampleParameters(101)) {
+            if (patch.contains({xi, eta})) {
                 places.push_back(patch.surface().point(xi, eta));
+            }
+        }
+    }
     for (int i = 0; i < 200; ++i) {
         const Point point(4 * std::sin(1.0 * i), 6 * std::cos(2.3 * i), 2 * std::sin(3.7 * i));
         const ModelProjection found = projector.closest(point);
         double nearest = 1e300;
-        for (const Point& place : places)
+        for (const Point& place : places) {
             nearest = std::min(nearest, (place - point).norm());
+        }
         EXPECT_TRUE(found.converged);
         EXPECT_LE(found.distance, nearest + 1e-13);
         EXPECT_NEAR((patch.surface().point(found.xi, found.eta) - point).norm(), found.distance,
@@ -118,7 +129,7 @@ TEST(ModelProjector, neverMissesANearerPlaceOfATrimmedSurface) {
 TEST(ModelProjector, facesThatMeetAreOnePlaceAndFacesThatDoNotAreTwo) {
     const BrepModel model = halfCylinders();
     const ModelProjector projector(model);
-    for (const double angle : {0.0, pi, 0.3, 1e-9, -1e-9})
+    for (const double angle : {0.0, pi, 0.3, 1e-9, -1e-9}) {
         for (const double radius : {0.5, 1.0, 2.0}) {
             const ModelProjection found =
                 projector.closest(Point(radius * std::cos(angle), radius * std::sin(angle), 0.7));
@@ -126,6 +137,7 @@ TEST(ModelProjector, facesThatMeetAreOnePlaceAndFacesThatDoNotAreTwo) {
             EXPECT_FALSE(found.ambiguous) << angle << " " << radius;
             EXPECT_NEAR(found.distance, std::abs(1 - radius), 1e-14);
         }
+    }
     EXPECT_TRUE(projector.closest(Point(0, 0, 1)).ambiguous) << "the axis";
 
     const BrepModel sides({{TrimmedPatch(rectangle(Point(0, 0, 0), 1, 1), "lower")},
@@ -157,12 +169,13 @@ TEST(ModelProjector, wholeMeshesAreProjectedToRounding) {
     const NurbsSurface& surface = model.patch(0).surface();
     const int n = 40;
     Points points(n * n, 3);
-    for (int j = 0; j < n; ++j)
+    for (int j = 0; j < n; ++j) {
         for (int i = 0; i < n; ++i) {
             const double xi = (i + 0.5) / n, eta = (j + 0.5) / n;
             points.row(i + n * j) =
                 surface.point(xi, eta) + 0.3 * std::sin(i + j) * normalOf(surface, xi, eta);
         }
+    }
     const std::vector<ModelProjection> found = ModelProjector(model).closestOfAll(points);
     double residual = 0;
     for (int k = 0; k < n * n; ++k) {
@@ -180,7 +193,7 @@ TEST(ModelProjector, wholeMeshesAreProjectedToRounding) {
 }
 
 TEST(ModelProjector, scaleAndPositionDoNotMatter) {
-    for (const double scale : {1e-6, 1e6})
+    for (const double scale : {1e-6, 1e6}) {
         for (const double offset : {0.0, 1e6}) {
             const Point shift = scale * offset * Point(1, -1, 0.5);
             const NurbsSurface sample = sampleSurface();
@@ -200,14 +213,16 @@ TEST(ModelProjector, scaleAndPositionDoNotMatter) {
                         projector.closest(patch.surface().point(at[0], at[1]));
                     EXPECT_TRUE(found.converged);
                     EXPECT_EQ(found.isOnRim, radius < 0.2);
-                    if (radius > 0.2)
+                    if (radius > 0.2) {
                         EXPECT_LT((Parameters(found.xi, found.eta) - at).norm(), error);
-                    else
+                    } else {
                         EXPECT_NEAR((Parameters(found.xi, found.eta) - Parameters(0.4, 0.5)).norm(),
                                     0.2, error);
+                    }
                 }
             }
         }
+    }
 }
 
 } // namespace tokay::geometry

@@ -1,18 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/OutputFile.hpp"
+#include "expectInputError.hpp"
+#include "geometry/brep/writeModelVtu.hpp"
+#include "geometry/primitives/primitives.hpp"
 #include "geometry/trimming/chords.hpp"
 #include "geometry/trimming/patchTriangles.hpp"
-#include "geometry/primitives/primitives.hpp"
-#include "geometry/brep/writeModelVtu.hpp"
-
-#include "expectInputError.hpp"
 #include "sampleGeometry.hpp"
 #include "sampleLoops.hpp"
 #include "sampleModels.hpp"
 #include "vtuArrays.hpp"
+
 #include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <fstream>
-#include <gtest/gtest.h>
 #include <map>
 
 namespace tokay::geometry {
@@ -27,10 +29,11 @@ Point corner(const PatchTriangles& mesh, std::size_t triangle, int i) {
 
 double area(const PatchTriangles& mesh) {
     double sum = 0;
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         sum += 0.5 * (corner(mesh, i, 1) - corner(mesh, i, 0))
                          .cross(corner(mesh, i, 2) - corner(mesh, i, 0))
                          .norm();
+    }
     return sum;
 }
 
@@ -42,7 +45,7 @@ TEST(Chords, leaveCurvesByNoMoreThanTheTolerance) {
     for (const double tolerance : {1e-1, 1e-3, 1e-5}) {
         const std::vector<double> parameters = chordParameters(curve, tolerance);
         double largest = 0;
-        for (std::size_t i = 0; i + 1 < parameters.size(); ++i)
+        for (std::size_t i = 0; i + 1 < parameters.size(); ++i) {
             for (const double t : sampleParameters(9)) {
                 const Point a = curve.point(parameters[i]), b = curve.point(parameters[i + 1]);
                 const Point p =
@@ -50,6 +53,7 @@ TEST(Chords, leaveCurvesByNoMoreThanTheTolerance) {
                 const Point along = (b - a).normalized();
                 largest = std::max(largest, (p - p.dot(along) * along).norm());
             }
+        }
         EXPECT_LE(largest, 1.05 * tolerance); // sampled at quarters
         EXPECT_GT(largest, 0.05 * tolerance) << "needlessly fine";
         EXPECT_GT(parameters.size(), before);
@@ -79,12 +83,15 @@ TEST(PatchTriangles, ofATrimmedPatchCoverItWithoutCracksInside) {
     const PatchTriangles mesh = patchTriangles(patch, tolerance);
     EXPECT_NEAR(area(mesh), pi * (0.2025 - 0.04), 2 * pi * 0.65 * tolerance);
     std::map<std::pair<int, int>, int> sides;
-    for (const auto& triangle : mesh.triangles)
-        for (int i = 0; i < 3; ++i)
+    for (const auto& triangle : mesh.triangles) {
+        for (int i = 0; i < 3; ++i) {
             ++sides[std::minmax(triangle[i], triangle[(i + 1) % 3])];
+        }
+    }
     for (const auto& [side, n] : sides) {
-        if (n == 2)
+        if (n == 2) {
             continue;
+        }
         // A free side lies on a loop.
         const Parameters middle =
             0.5 * (mesh.parameters[side.first] + mesh.parameters[side.second]);

@@ -1,10 +1,12 @@
-#include "geometry/primitives/primitives.hpp"
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "expectInputError.hpp"
+#include "geometry/primitives/primitives.hpp"
 #include "geometry/spline/refinement.hpp"
 #include "sampleGeometry.hpp"
-#include <cmath>
+
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace tokay::geometry {
 
@@ -29,8 +31,9 @@ TEST(Primitives, arcsOfAnyAngleAreExactCircles) {
 TEST(Primitives, aRefinedFullCircleStaysExactAndClosed) {
     const NurbsCurve circle = refine(arc(Point::Zero(), 1, 0, 2 * pi), 4, 7);
     EXPECT_EQ(circle.point(0), circle.point(1));
-    for (const double xi : sampleParameters(201))
+    for (const double xi : sampleParameters(201)) {
         EXPECT_NEAR(circle.point(xi).norm(), 1, 5e-15);
+    }
 }
 
 TEST(Primitives, rectangleEdgesAreWhereOneSeesThem) {
@@ -44,16 +47,18 @@ TEST(Primitives, rectangleEdgesAreWhereOneSeesThem) {
 
 TEST(Primitives, ringSectorLiesBetweenItsRadii) {
     const NurbsSurface ring = ringSector(Point(1, 1, 0), 0.95, 1.05, 0, 2 * pi);
-    for (const double xi : sampleParameters(5))
-        for (const double eta : sampleParameters(33))
+    for (const double xi : sampleParameters(5)) {
+        for (const double eta : sampleParameters(33)) {
             EXPECT_NEAR((ring.point(xi, eta) - Point(1, 1, 0)).norm(), 0.95 + 0.1 * xi, 3e-15);
+        }
+    }
     const Points d = ring.derivatives(0.5, 0.3, 1);
     EXPECT_GT(d(1, 0) * d(2, 1) - d(1, 1) * d(2, 0), 0) << "xi, eta must be right-handed";
 }
 
 TEST(Primitives, cylinderPatchIsExactAndItsNormalPointsOutwards) {
     const NurbsSurface cylinder = cylinderPatch(Point(1, 2, 3), 0.5, 2, 0.3, 0.3 + 1.5 * pi);
-    for (const double xi : sampleParameters(33))
+    for (const double xi : sampleParameters(33)) {
         for (const double eta : sampleParameters(5)) {
             const Points d = cylinder.derivatives(xi, eta, 1);
             const Point radius(d(0, 0) - 1, d(0, 1) - 2, 0);
@@ -64,6 +69,7 @@ TEST(Primitives, cylinderPatchIsExactAndItsNormalPointsOutwards) {
                                a[0] * b[1] - a[1] * b[0]);
             EXPECT_GT(normal.normalized().dot(radius) / 0.5, 1 - 1e-14);
         }
+    }
 }
 
 TEST(Primitives, impossibleSizesAreRefusedByName) {

@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/projection/BoxTree.hpp"
 
-#include <cmath>
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace tokay::geometry {
 
@@ -37,8 +39,9 @@ TEST(BoxTree, stopsAtTheDistanceThatTheVisitorGives) {
     const std::vector<Box> boxes = scatteredBoxes(200);
     const Point point(0.2, -0.3, 0.1);
     int expected = 0, visited = 0;
-    for (const Box& box : boxes)
+    for (const Box& box : boxes) {
         expected += box.squaredDistance(point) <= 0.25;
+    }
     BoxTree(boxes).visitNearest(point, [&](int) { return ++visited, 0.25; });
     EXPECT_EQ(visited, expected);
 }
@@ -47,9 +50,11 @@ TEST(BoxTree, findsExactlyTheOverlappingBoxes) {
     const std::vector<Box> boxes = scatteredBoxes(300);
     const Box window{Point(-0.5, -0.5, -0.5), Point(0.4, 0.3, 0.6)};
     std::vector<int> expected;
-    for (int i = 0; i < 300; ++i)
-        if (boxes[i].overlaps(window))
+    for (int i = 0; i < 300; ++i) {
+        if (boxes[i].overlaps(window)) {
             expected.push_back(i);
+        }
+    }
     EXPECT_GT(expected.size(), 10u);
     EXPECT_EQ(BoxTree(boxes).overlapping(window), expected);
 }
@@ -61,9 +66,11 @@ TEST(BoxTree, findsExactlyTheBoxesThatMeetAHalfSpace) {
         return normal.dot(box.centre()) + 0.5 * normal.cwiseAbs().dot(box.upper - box.lower) >= 0.9;
     };
     std::vector<int> expected;
-    for (int i = 0; i < 300; ++i)
-        if (meets(boxes[i]))
+    for (int i = 0; i < 300; ++i) {
+        if (meets(boxes[i])) {
             expected.push_back(i);
+        }
+    }
     EXPECT_GT(expected.size(), 10u);
     EXPECT_LT(expected.size(), 100u);
     EXPECT_EQ(BoxTree(boxes).meeting(meets), expected);

@@ -1,10 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/primitives/primitives.hpp"
 #include "geometry/projection/CurveProjector.hpp"
 #include "geometry/projection/SurfaceProjector.hpp"
-#include "geometry/primitives/primitives.hpp"
 #include "geometry/spline/refinement.hpp"
 #include "sampleGeometry.hpp"
-#include <cmath>
+
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace tokay::geometry {
 
@@ -26,13 +29,14 @@ NurbsSurface sphere(double radius) {
     const int nU = parallel.nControlPoints(), nV = meridian.nControlPoints();
     Points points(nU * nV, 3);
     Eigen::VectorXd weights(nU * nV);
-    for (int j = 0; j < nV; ++j)
+    for (int j = 0; j < nV; ++j) {
         for (int i = 0; i < nU; ++i) {
             const double r = meridian.controlPoints()(j, 0), z = meridian.controlPoints()(j, 1);
             points.row(i + nU * j) << r * parallel.controlPoints()(i, 0),
                 r * parallel.controlPoints()(i, 1), z;
             weights[i + nU * j] = meridian.weights()[j] * parallel.weights()[i];
         }
+    }
     return NurbsSurface(parallel.knotVector(), meridian.knotVector(), points, weights);
 }
 
@@ -71,8 +75,9 @@ TEST(CurveProjector, neverMissesANearerPlaceOfTheCurve) {
         const Point point(7 * std::sin(1.0 * i), 3 * std::cos(2.3 * i), 2 * std::sin(3.7 * i));
         const CurveProjection found = projector.closest(point);
         double nearest = 1e300;
-        for (const double xi : sampleParameters(2001))
+        for (const double xi : sampleParameters(2001)) {
             nearest = std::min(nearest, (curve.point(xi) - point).norm());
+        }
         EXPECT_TRUE(found.converged);
         EXPECT_LE(found.distance, nearest + 1e-14);
         EXPECT_NEAR((curve.point(found.xi) - point).norm(), found.distance, 1e-13);
@@ -93,9 +98,11 @@ TEST(CurveProjector, pointsBeyondAnEndOrACornerGetTheEndOrTheCorner) {
 TEST(CurveProjector, bothSidesOfACornerAreFoundNextToIt) {
     const NurbsCurve curve = curveWithCorner();
     const CurveProjector projector(curve);
-    for (const double distance : {1e-12, 1e-9, 1e-6, 1e-3})
-        for (const double xi : {0.5 - distance, 0.5 + distance})
+    for (const double distance : {1e-12, 1e-9, 1e-6, 1e-3}) {
+        for (const double xi : {0.5 - distance, 0.5 + distance}) {
             EXPECT_NEAR(projector.closest(curve.point(xi)).xi, xi, 1e-15 * 5);
+        }
+    }
 }
 
 TEST(CurveProjector, theCentreOfACircleIsAmbiguousAndItsNeighbourIsNot) {
@@ -109,7 +116,7 @@ TEST(CurveProjector, theCentreOfACircleIsAmbiguousAndItsNeighbourIsNot) {
 }
 
 TEST(CurveProjector, scaleAndPositionDoNotMatter) {
-    for (const double scale : {1e-6, 1.0, 1e6})
+    for (const double scale : {1e-6, 1.0, 1e6}) {
         for (const double offset : {0.0, 1e6}) {
             const Point shift = scale * offset * Point(1, -1, 0.5);
             const NurbsCurve sample = sampleCurve();
@@ -125,12 +132,13 @@ TEST(CurveProjector, scaleAndPositionDoNotMatter) {
                 EXPECT_LT(found.distance, 10 * error * scale);
             }
         }
+    }
 }
 
 TEST(SurfaceProjector, findsTheParametersOfPointsOnTheSurface) {
     const NurbsSurface surface = sampleSurface();
     const SurfaceProjector projector(surface);
-    for (const double xi : sampleParameters(31))
+    for (const double xi : sampleParameters(31)) {
         for (const double eta : sampleParameters(31)) {
             const SurfaceProjection found = projector.closest(surface.point(xi, eta));
             EXPECT_TRUE(found.converged);
@@ -139,6 +147,7 @@ TEST(SurfaceProjector, findsTheParametersOfPointsOnTheSurface) {
             EXPECT_NEAR(found.eta, eta, 1e-13);
             EXPECT_LT(found.distance, 1e-13);
         }
+    }
 }
 
 TEST(SurfaceProjector, neverMissesANearerPlaceOfTheSurface) {
@@ -148,9 +157,11 @@ TEST(SurfaceProjector, neverMissesANearerPlaceOfTheSurface) {
         const Point point(4 * std::sin(1.0 * i), 6 * std::cos(2.3 * i), 2 * std::sin(3.7 * i));
         const SurfaceProjection found = projector.closest(point);
         double nearest = 1e300;
-        for (const double xi : sampleParameters(101))
-            for (const double eta : sampleParameters(101))
+        for (const double xi : sampleParameters(101)) {
+            for (const double eta : sampleParameters(101)) {
                 nearest = std::min(nearest, (surface.point(xi, eta) - point).norm());
+            }
+        }
         EXPECT_TRUE(found.converged);
         EXPECT_LE(found.distance, nearest + 1e-13);
         EXPECT_NEAR((surface.point(found.xi, found.eta) - point).norm(), found.distance, 1e-12);
@@ -159,8 +170,8 @@ TEST(SurfaceProjector, neverMissesANearerPlaceOfTheSurface) {
 
 TEST(SurfaceProjector, aSphereIsFoundAtItsSeamAndItsPolesToo) {
     const SurfaceProjector projector(sphere(2));
-    for (const double latitude : {-pi / 2, -1.5, -0.3, 0.0, 1.2, pi / 2 - 1e-7, pi / 2})
-        for (const double longitude : {0.0, 1e-9, -1e-9, 2.0, pi})
+    for (const double latitude : {-pi / 2, -1.5, -0.3, 0.0, 1.2, pi / 2 - 1e-7, pi / 2}) {
+        for (const double longitude : {0.0, 1e-9, -1e-9, 2.0, pi}) {
             for (const double radius : {1.9, 2.0, 3.0}) {
                 const Point direction(std::cos(latitude) * std::cos(longitude),
                                       std::cos(latitude) * std::sin(longitude), std::sin(latitude));
@@ -169,13 +180,15 @@ TEST(SurfaceProjector, aSphereIsFoundAtItsSeamAndItsPolesToo) {
                 EXPECT_FALSE(found.ambiguous) << latitude << " " << longitude << " " << radius;
                 EXPECT_NEAR(found.distance, std::abs(radius - 2), 1e-14);
             }
+        }
+    }
     EXPECT_TRUE(projector.closest(Point::Zero()).ambiguous);
 }
 
 TEST(SurfaceProjector, aThinAndAnAnisotropicPatchAreFound) {
     const NurbsSurface patch = refine(rectangle(Point(5, 5, 0), 1, 1e-3), 2, 2, 3, 40);
     const SurfaceProjector projector(patch);
-    for (const double xi : sampleParameters(13))
+    for (const double xi : sampleParameters(13)) {
         for (const double eta : sampleParameters(13)) {
             const SurfaceProjection found =
                 projector.closest(patch.point(xi, eta) + Point(0, 0, 0.1));
@@ -184,6 +197,7 @@ TEST(SurfaceProjector, aThinAndAnAnisotropicPatchAreFound) {
             EXPECT_NEAR(found.eta, eta, 5e-12); // y = 5 is rounded to 1e-12 of the width
             EXPECT_NEAR(found.distance, 0.1, 1e-14);
         }
+    }
 }
 
 } // namespace tokay::geometry

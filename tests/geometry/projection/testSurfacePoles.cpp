@@ -1,7 +1,8 @@
-#include "geometry/projection/surfacePoles.hpp"
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/primitives/primitives.hpp"
+#include "geometry/projection/surfacePoles.hpp"
 #include "sampleGeometry.hpp"
+
 #include <gtest/gtest.h>
 
 namespace tokay::geometry {
@@ -13,8 +14,9 @@ TEST(SurfacePoles, aSphereHasTwoWithTheAxisAsNormal) {
     EXPECT_LT((poles[0].place - Point(1, 2, 1)).norm(), 1e-14);
     EXPECT_EQ(poles[1].edge, Edge::top);
     EXPECT_LT((poles[1].place - Point(1, 2, 5)).norm(), 1e-14);
-    for (const Pole& pole : poles)
+    for (const Pole& pole : poles) {
         EXPECT_NEAR(std::abs(pole.normal[2]), 1, 1e-14);
+    }
 }
 
 TEST(SurfacePoles, aConesTipHasNoNormal) {

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/projection/VolumeProjector.hpp"
-
 #include "sampleVolume.hpp"
+
 #include <gtest/gtest.h>
 
 namespace tokay::geometry {
@@ -8,14 +9,16 @@ namespace tokay::geometry {
 TEST(VolumeProjector, pointsOfTheVolumeAreFound) {
     const NurbsVolume volume = sampleVolume();
     const VolumeProjector projector(volume);
-    for (const double zeta : {0.0, 0.3, 1.0})
-        for (const double eta : {0.0, 0.45, 0.9})
+    for (const double zeta : {0.0, 0.3, 1.0}) {
+        for (const double eta : {0.0, 0.45, 0.9}) {
             for (const double xi : {0.1, 0.62, 1.0}) {
                 const Point point = volume.point({xi, eta, zeta});
                 const VolumeProjection found = projector.closest(point);
                 EXPECT_LT(found.distance, 1e-11); // steps below 1e-12 of the size end the search
                 EXPECT_LT((volume.point(found.parameters) - point).norm(), 1e-11);
             }
+        }
+    }
 }
 
 TEST(VolumeProjector, pointOutsideGetsTheClosestPlaceOfTheSides) {

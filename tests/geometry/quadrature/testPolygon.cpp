@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/quadrature/Polygon.hpp"
 
-#include <cmath>
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace tokay::geometry {
 
@@ -17,8 +19,9 @@ const Polygon notConvex = {{0, 0}, {3, 0}, {3, 2}, {2, 2}, {2, 1}, {1, 1}, {1, 2
 TEST(Polygon, theIntersectionOfShiftedSquaresHasItsExactArea) {
     for (const double shift : {0.0, 1e-12, 0.25, 0.5, 0.999}) {
         Polygon other = square;
-        for (Eigen::Vector2d& corner : other)
+        for (Eigen::Vector2d& corner : other) {
             corner += Eigen::Vector2d(shift, -0.5 * shift);
+        }
         EXPECT_NEAR(signedArea(clippedByConvex(other, square)), (1 - shift) * (1 - 0.5 * shift),
                     1e-15);
     }
@@ -26,8 +29,9 @@ TEST(Polygon, theIntersectionOfShiftedSquaresHasItsExactArea) {
 
 TEST(Polygon, whatLiesApartHasNoIntersection) {
     Polygon other = square;
-    for (Eigen::Vector2d& corner : other)
+    for (Eigen::Vector2d& corner : other) {
         corner += Eigen::Vector2d(1.5, 0);
+    }
     EXPECT_TRUE(clippedByConvex(other, square).empty());
 }
 

@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/quadrature/polygonRegion.hpp"
 
-#include <cmath>
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace tokay::geometry {
 
@@ -31,10 +33,12 @@ TEST(PolygonRegion, intersectionsOfCellsAddUpToTheRegion) {
     const Region region = {ring({5, 5}, 4, 31, 1), ring({4, 6}, 1.3, 17, -1),
                            ring({6.5, 4}, 1.1, 12, -1)};
     double sum = 0;
-    for (int j = 0; j < 10; ++j)
-        for (int i = 0; i < 10; ++i)
+    for (int j = 0; j < 10; ++j) {
+        for (int i = 0; i < 10; ++i) {
             sum += signedArea(
                 intersection(region, ParameterBox{Parameters(i, j), Parameters(i + 1, j + 1)}));
+        }
+    }
     EXPECT_NEAR(sum, signedArea(region), 1e-13);
 }
 
@@ -50,16 +54,20 @@ TEST(PolygonRegion, trianglesCoverRegionsWithHoles) {
 
 TEST(PolygonRegion, trianglesCoverCombsAndSpirals) {
     Polygon comb = {{0, -1}, {20, -1}};
-    for (int i = 20; i >= 0; --i)
+    for (int i = 20; i >= 0; --i) {
         comb.push_back({1.0 * i, i % 2 == 0 ? 3.0 : 0.1});
+    }
     EXPECT_NEAR(area(triangulated({comb})), signedArea(comb), 1e-13);
     Polygon spiral;
-    for (int i = 0; i <= 60; ++i)
+    for (int i = 0; i <= 60; ++i) {
         spiral.push_back((1 + 0.1 * i) * Parameters(std::cos(0.3 * i), std::sin(0.3 * i)));
-    for (int i = 60; i >= 0; --i)
+    }
+    for (int i = 60; i >= 0; --i) {
         spiral.push_back((1.5 + 0.1 * i) * Parameters(std::cos(0.3 * i), std::sin(0.3 * i)));
-    if (signedArea(spiral) < 0)
+    }
+    if (signedArea(spiral) < 0) {
         std::reverse(spiral.begin(), spiral.end());
+    }
     EXPECT_NEAR(area(triangulated({spiral})), signedArea(spiral), 1e-12);
 }
 

@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/quadrature/Triangle.hpp"
 #include "geometry/quadrature/triangleRule.hpp"
 
-#include <cmath>
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace tokay::geometry {
 
@@ -25,11 +27,12 @@ TEST(Triangle, noPointOfItIsNearerThanTheClosest) {
         EXPECT_GE(found.minCoeff(), 0);
         EXPECT_NEAR(found.sum(), 1, 1e-15 * 4);
         const double distance = (triangle.at(found) - point).norm();
-        for (int a = 0; a <= 20; ++a)
+        for (int a = 0; a <= 20; ++a) {
             for (int b = 0; a + b <= 20; ++b) {
                 const Barycentric other(a / 20.0, b / 20.0, (20 - a - b) / 20.0);
                 EXPECT_LE(distance, (triangle.at(other) - point).norm() + 1e-14);
             }
+        }
     }
 }
 
@@ -44,7 +47,7 @@ TEST(TriangleRule, integratesPolynomialsOfItsDegreeExactly) {
     const auto factorial = [](int n) { return std::tgamma(n + 1.0); };
     for (int degree = 0; degree <= 12; ++degree) {
         const TriangleRule& rule = triangleRule(degree);
-        for (int i = 0; i <= degree; ++i)
+        for (int i = 0; i <= degree; ++i) {
             for (int j = 0; i + j <= degree; ++j) {
                 double sum = 0;
                 for (std::size_t k = 0; k < rule.points.size(); ++k) {
@@ -55,6 +58,7 @@ TEST(TriangleRule, integratesPolynomialsOfItsDegreeExactly) {
                 const double exact = 2 * factorial(i) * factorial(j) / factorial(i + j + 2);
                 EXPECT_NEAR(sum, exact, 1e-15 * 3) << degree << ": " << i << ", " << j;
             }
+        }
     }
 }
 

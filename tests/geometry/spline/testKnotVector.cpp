@@ -1,8 +1,9 @@
-#include "geometry/spline/KnotVector.hpp"
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/errors.hpp"
 #include "expectInputError.hpp"
+#include "geometry/spline/KnotVector.hpp"
 #include "sampleGeometry.hpp"
+
 #include <gtest/gtest.h>
 
 namespace tokay::geometry {
@@ -17,8 +18,9 @@ TEST(KnotVector, functionsSumToOneAndTheirDerivativesToZero) {
         EXPECT_NEAR(N.row(0).sum(), 1, 1e-14);
         EXPECT_GE(N.row(0).minCoeff(), 0);
         // Derivatives are of size (degree / span)^k, here up to 3e4 for k = 3.
-        for (int k = 1; k <= 3; ++k)
+        for (int k = 1; k <= 3; ++k) {
             EXPECT_NEAR(N.row(k).sum(), 0, 1e-14 * N.row(k).cwiseAbs().sum() + 1e-14);
+        }
     }
 }
 

@@ -1,7 +1,8 @@
-#include "geometry/spline/NurbsCurve.hpp"
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "expectInputError.hpp"
+#include "geometry/spline/NurbsCurve.hpp"
 #include "sampleGeometry.hpp"
+
 #include <gtest/gtest.h>
 
 namespace tokay::geometry {
@@ -23,10 +24,11 @@ TEST(NurbsCurve, derivativesAgreeWithFiniteDifferences) {
     for (const double xi : {0.11, 0.45, 0.66, 0.83}) {
         const Points exact = curve.derivatives(xi, 4);
         const Points ahead = curve.derivatives(xi + h, 4), behind = curve.derivatives(xi - h, 4);
-        for (int k = 0; k < 4; ++k)
+        for (int k = 0; k < 4; ++k) {
             EXPECT_LT(((ahead.row(k) - behind.row(k)) / (2 * h) - exact.row(k + 1)).norm(),
                       1e-6 * (exact.row(k).norm() + exact.row(k + 1).norm() + exact.row(4).norm()))
                 << "derivative " << k + 1 << " at " << xi;
+        }
     }
 }
 

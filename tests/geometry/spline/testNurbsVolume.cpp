@@ -1,8 +1,9 @@
-#include "geometry/spline/NurbsVolume.hpp"
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "expectInputError.hpp"
+#include "geometry/spline/NurbsVolume.hpp"
 #include "sampleGeometry.hpp"
 #include "sampleVolume.hpp"
+
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
@@ -15,16 +16,20 @@ constexpr double rounding = 2e-14;
 
 std::vector<Eigen::Vector3d> places() {
     std::vector<Eigen::Vector3d> all;
-    for (const double zeta : sampleParameters(5))
-        for (const double eta : sampleParameters(5))
-            for (const double xi : sampleParameters(7))
+    for (const double zeta : sampleParameters(5)) {
+        for (const double eta : sampleParameters(5)) {
+            for (const double xi : sampleParameters(7)) {
                 all.emplace_back(xi, eta, zeta);
+            }
+        }
+    }
     return all;
 }
 
 void expectSameVolume(const NurbsVolume& a, const NurbsVolume& b) {
-    for (const Eigen::Vector3d& at : places())
+    for (const Eigen::Vector3d& at : places()) {
         EXPECT_LT((a.point(at) - b.point(at)).norm(), rounding) << at.transpose();
+    }
 }
 
 } // namespace
@@ -88,9 +93,10 @@ TEST(NurbsVolume, sidesAreItsPointsAndKnowWhereOutsideIs) {
         const double xi = at[axis == 0 ? 1 : 0], eta = at[axis == 2 ? 1 : 2];
         const Points d = boundary.surface.derivatives(xi, eta, 1);
         EXPECT_LT((d.row(0).transpose() - volume.point(at)).norm(), rounding);
-        for (std::size_t k = 0; k < boundary.controlPoints.size(); ++k)
+        for (std::size_t k = 0; k < boundary.controlPoints.size(); ++k) {
             EXPECT_EQ(boundary.surface.controlPoints().row(k),
                       volume.controlPoints().row(boundary.controlPoints[k]));
+        }
         const Point normal = Point(d.row(1)).cross(Point(d.row(2)));
         const Point outwards = (number % 2 == 1 ? 1 : -1) * volume.jacobian(at).col(axis);
         EXPECT_EQ(normal.dot(outwards) > 0, boundary.pointsOutwards) << nameOf(side);

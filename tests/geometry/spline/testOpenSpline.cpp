@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expectInputError.hpp"
 #include "geometry/spline/openSpline.hpp"
 
-#include "expectInputError.hpp"
 #include <gtest/gtest.h>
 
 namespace tokay::geometry {
@@ -9,15 +10,18 @@ namespace {
 
 /// By the recursion of Cox and de Boor, for any knot vector.
 double basisFunction(const std::vector<double>& knots, int i, int degree, double xi) {
-    if (degree == 0)
+    if (degree == 0) {
         return knots[i] <= xi && xi < knots[i + 1] ? 1 : 0;
+    }
     double value = 0;
-    if (knots[i + degree] > knots[i])
+    if (knots[i + degree] > knots[i]) {
         value += (xi - knots[i]) / (knots[i + degree] - knots[i]) *
                  basisFunction(knots, i, degree - 1, xi);
-    if (knots[i + degree + 1] > knots[i + 1])
+    }
+    if (knots[i + degree + 1] > knots[i + 1]) {
         value += (knots[i + degree + 1] - xi) / (knots[i + degree + 1] - knots[i + 1]) *
                  basisFunction(knots, i + 1, degree - 1, xi);
+    }
     return value;
 }
 
@@ -45,8 +49,9 @@ TEST(OpenSpline, keepsTheValuesOfPeriodicAndHalfOpenSplines) {
         for (int k = 0; k < 50; ++k) {
             const double xi = knots[3] + (knots[7] - knots[3]) * k / 50;
             double value = 0;
-            for (int i = 0; i < 7; ++i)
+            for (int i = 0; i < 7; ++i) {
                 value += basisFunction(knots, i, 3, xi) * rows(i, 0);
+            }
             EXPECT_NEAR(valueOf(spline, xi), value, 1e-14);
         }
     }

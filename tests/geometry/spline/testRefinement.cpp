@@ -1,9 +1,10 @@
-#include "geometry/spline/refinement.hpp"
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "expectInputError.hpp"
 #include "geometry/bezier/bezierPieces.hpp"
 #include "geometry/primitives/primitives.hpp"
+#include "geometry/spline/refinement.hpp"
 #include "sampleGeometry.hpp"
+
 #include <gtest/gtest.h>
 
 namespace tokay::geometry {
@@ -14,15 +15,18 @@ namespace {
 constexpr double rounding = 2e-14;
 
 void expectSameCurve(const NurbsCurve& a, const NurbsCurve& b) {
-    for (const double xi : sampleParameters(101))
+    for (const double xi : sampleParameters(101)) {
         EXPECT_LT((a.point(xi) - b.point(xi)).norm(), rounding) << "at " << xi;
+    }
 }
 
 void expectSameSurface(const NurbsSurface& a, const NurbsSurface& b) {
-    for (const double xi : sampleParameters(21))
-        for (const double eta : sampleParameters(21))
+    for (const double xi : sampleParameters(21)) {
+        for (const double eta : sampleParameters(21)) {
             EXPECT_LT((a.point(xi, eta) - b.point(xi, eta)).norm(), rounding)
                 << "at " << xi << ", " << eta;
+        }
+    }
 }
 
 } // namespace
@@ -93,12 +97,13 @@ TEST(Refinement, bezierPiecesAreThePatchPieceByPiece) {
     ASSERT_EQ(pieces.size(), 6u);
     for (const NurbsSurface& piece : pieces) {
         EXPECT_EQ(piece.nControlPoints(), 12);
-        for (const double s : sampleParameters(4))
+        for (const double s : sampleParameters(4)) {
             for (const double t : sampleParameters(4)) {
                 const double xi = piece.u().first() + s * (piece.u().last() - piece.u().first());
                 const double eta = piece.v().first() + t * (piece.v().last() - piece.v().first());
                 EXPECT_LT((piece.point(xi, eta) - surface.point(xi, eta)).norm(), rounding);
             }
+        }
     }
 }
 

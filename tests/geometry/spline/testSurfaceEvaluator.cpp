@@ -1,8 +1,9 @@
-#include "geometry/spline/SurfaceEvaluator.hpp"
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/primitives/primitives.hpp"
+#include "geometry/spline/SurfaceEvaluator.hpp"
 #include "geometry/spline/refinement.hpp"
 #include "sampleGeometry.hpp"
+
 #include <gtest/gtest.h>
 
 namespace tokay::geometry {

@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/trimming/clippedTiles.hpp"
-
 #include "sampleLoops.hpp"
-#include <cmath>
+
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace tokay::geometry {
 
@@ -18,11 +20,12 @@ std::vector<Polygon> triangles(int n) {
         return Parameters(x / n, y / n);
     };
     std::vector<Polygon> cells;
-    for (int j = 0; j < n; ++j)
+    for (int j = 0; j < n; ++j) {
         for (int i = 0; i < n; ++i) {
             cells.push_back({corner(i, j), corner(i + 1, j), corner(i + 1, j + 1)});
             cells.push_back({corner(i, j), corner(i + 1, j + 1), corner(i, j + 1)});
         }
+    }
     return cells;
 }
 
@@ -32,13 +35,14 @@ struct Sums {
 
 Sums overCells(const TrimmedPatch& patch, const std::vector<Polygon>& cells) {
     Sums sums;
-    for (const Polygon& cell : cells)
+    for (const Polygon& cell : cells) {
         for (const ParameterPoint& point : tileQuadrature(clippedTiles(patch, cell), 2)) {
             EXPECT_GT(point.weight, 0);
             EXPECT_TRUE(patch.contains({point.xi, point.eta}));
             sums.area += point.weight;
             sums.moment += point.weight * point.xi * point.xi;
         }
+    }
     return sums;
 }
 

@@ -1,13 +1,15 @@
-#include "geometry/trimming/CurveOnSurface.hpp"
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "expectInputError.hpp"
-#include "geometry/quadrature/gaussLegendre.hpp"
 #include "geometry/bezier/parameterCrossings.hpp"
 #include "geometry/primitives/primitives.hpp"
+#include "geometry/quadrature/gaussLegendre.hpp"
 #include "geometry/spline/refinement.hpp"
+#include "geometry/trimming/CurveOnSurface.hpp"
 #include "sampleGeometry.hpp"
-#include <cmath>
+
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace tokay::geometry {
 
@@ -27,8 +29,9 @@ TEST(ParameterCrossings, findsWhereACircleCrossesALine) {
     for (const double value : {-0.99, -0.5, 0.0, 0.3, 0.999}) {
         const std::vector<double> crossings = parameterCrossings(circle, 0, value);
         ASSERT_EQ(crossings.size(), 2u) << value;
-        for (const double t : crossings)
+        for (const double t : crossings) {
             EXPECT_NEAR(circle.point(t)[0], value, 1e-15 * 4);
+        }
     }
     EXPECT_TRUE(parameterCrossings(circle, 1, 1.01).empty());
 }
@@ -69,8 +72,9 @@ TEST(CurveOnSurface, breakpointsAreTheCrossingsOfKnotLines) {
 TEST(CurveOnSurface, findsTheParameterOfPointsOnIt) {
     const CurveOnSurface curve = circleOnSurface();
     for (const double t : sampleParameters(101)) {
-        if (t == 0 || t == 1)
+        if (t == 0 || t == 1) {
             continue; // the seam: either end is right
+        }
         const CurveProjection found = curve.closest(curve.derivatives(t, 0).row(0));
         EXPECT_TRUE(found.converged);
         EXPECT_NEAR(found.xi, t, 1e-12);
@@ -89,8 +93,9 @@ TEST(GaussLegendre, integratesPolynomialsOfTwiceItsPointsExactly) {
         const QuadratureRule& rule = gaussLegendre(n);
         for (int degree = 0; degree < 2 * n; ++degree) {
             double sum = 0;
-            for (int i = 0; i < n; ++i)
+            for (int i = 0; i < n; ++i) {
                 sum += rule.weights[i] * std::pow(rule.points[i], degree);
+            }
             EXPECT_NEAR(sum, 1.0 / (degree + 1), 1e-15 * 4) << n << " points, degree " << degree;
         }
     }

@@ -1,14 +1,16 @@
-#include "geometry/trimming/PatchQuadrature.hpp"
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "expectInputError.hpp"
-#include "geometry/spline/curveParts.hpp"
 #include "geometry/primitives/primitives.hpp"
+#include "geometry/spline/curveParts.hpp"
 #include "geometry/spline/refinement.hpp"
+#include "geometry/trimming/PatchQuadrature.hpp"
 #include "sampleLoops.hpp"
+
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <gtest/gtest.h>
 #include <random>
 
 namespace tokay::geometry {
@@ -20,9 +22,11 @@ using Function = std::function<double(double, double)>;
 
 double integral(const PatchQuadrature& quadrature, const Function& f) {
     double sum = 0;
-    for (int element = 0; element < quadrature.patch().nElements(); ++element)
-        for (const ParameterPoint& point : quadrature.points(element))
+    for (int element = 0; element < quadrature.patch().nElements(); ++element) {
+        for (const ParameterPoint& point : quadrature.points(element)) {
             sum += point.weight * f(point.xi, point.eta);
+        }
+    }
     return sum;
 }
 
@@ -78,8 +82,9 @@ double polygonIntegral(const Polygon& corners, const Function& integralOverX) {
 } // namespace
 
 TEST(PatchQuadrature, boundaryExactRuleIntegratesADiscWithAHole) {
-    for (const int nSpans : {1, 2, 7, 20})
+    for (const int nSpans : {1, 2, 7, 20}) {
         EXPECT_LT(discWithHoleError(discWithHole(nSpans), {}), 1e-12) << nSpans;
+    }
 }
 
 TEST(PatchQuadrature, errorOfTheBoundaryExactRuleFallsExponentially) {
@@ -121,7 +126,7 @@ TEST(PatchQuadrature, bothRulesAreExactForPolygons) {
     const auto f = [](double x, double y) { return x * x * y * y; };
     const auto overX = [](double x, double y) { return x * x * x / 3 * y * y; };
     const double exact = polygonIntegral(outer, overX) + polygonIntegral(inner, overX);
-    for (const int nSpans : {1, 3, 8})
+    for (const int nSpans : {1, 3, 8}) {
         for (const CutRule rule : {CutRule::boundaryExact, CutRule::triangulated}) {
             const TrimmedPatch patch(square(nSpans), {polygonLoop(LoopKind::outer, outer),
                                                       polygonLoop(LoopKind::inner, inner)});
@@ -130,6 +135,7 @@ TEST(PatchQuadrature, bothRulesAreExactForPolygons) {
             options.degree = 2;
             EXPECT_NEAR(integral(PatchQuadrature(patch, options), f), exact, 1e-15);
         }
+    }
 }
 
 TEST(PatchQuadrature, polynomialTrimmingCurvesAndIntegrandsAreExact) {
@@ -149,7 +155,7 @@ TEST(PatchQuadrature, polynomialTrimmingCurvesAndIntegrandsAreExact) {
 }
 
 TEST(PatchQuadrature, trimLinesOnAndBesideKnotLinesAreExact) {
-    for (const double offset : {0.0, 1e-12, -1e-12, 1e-8, -1e-8, 1e-4, -1e-4})
+    for (const double offset : {0.0, 1e-12, -1e-12, 1e-8, -1e-8, 1e-4, -1e-4}) {
         for (const CutRule rule : {CutRule::boundaryExact, CutRule::triangulated}) {
             const double x = 0.4 + 0.2 * offset, y = 0.8 - 0.2 * offset;
             const TrimmedPatch patch(
@@ -163,6 +169,7 @@ TEST(PatchQuadrature, trimLinesOnAndBesideKnotLinesAreExact) {
                         exact, std::abs(offset) < 1e-11 ? 4e-13 : 2e-15)
                 << offset;
         }
+    }
 }
 
 TEST(PatchQuadrature, loopsAnywhereOnAndAboutKnotLinesKeepTheirArea) {
@@ -174,8 +181,9 @@ TEST(PatchQuadrature, loopsAnywhereOnAndAboutKnotLinesKeepTheirArea) {
         const int nSpans = 1 + trial % 9;
         // More than half of the coordinates lie on a knot line or about one.
         const auto place = [&](double x) {
-            if (uniform(random) > 0.6)
+            if (uniform(random) > 0.6) {
                 return x;
+            }
             const auto k = static_cast<std::size_t>(uniform(random) * offsets.size());
             return std::clamp(std::round(x * nSpans) / nSpans + offsets[k], 0.0, 1.0);
         };
@@ -199,9 +207,11 @@ TEST(PatchQuadrature, loopsAnywhereOnAndAboutKnotLinesKeepTheirArea) {
             options.rule = rule;
             options.degree = 1;
             const PatchQuadrature quadrature(patch, options);
-            for (int element = 0; element < patch.nElements(); ++element)
-                for (const ParameterPoint& point : quadrature.points(element))
+            for (int element = 0; element < patch.nElements(); ++element) {
+                for (const ParameterPoint& point : quadrature.points(element)) {
                     EXPECT_GT(point.weight, 0);
+                }
+            }
             // Left-out slivers: 1e-11 of each of at most 40 elements on the loop.
             EXPECT_NEAR(integral(quadrature, [](double, double) { return 1; }), exact,
                         1e-11 * 40 / (nSpans * nSpans) + 1e-15)
@@ -216,7 +226,7 @@ TEST(PatchQuadrature, weightsArePositiveAndPointsInside) {
         QuadratureOptions options;
         options.rule = rule;
         const PatchQuadrature quadrature(patch, options);
-        for (int element = 0; element < patch.nElements(); ++element)
+        for (int element = 0; element < patch.nElements(); ++element) {
             for (const ParameterPoint& point : quadrature.points(element)) {
                 const Parameters place(point.xi, point.eta);
                 const double sag = rule == CutRule::triangulated ? 1e-3 / 6 : 1e-15;
@@ -224,6 +234,7 @@ TEST(PatchQuadrature, weightsArePositiveAndPointsInside) {
                 EXPECT_LT((place - Parameters(0.5, 0.5)).norm(), 0.45 + sag);
                 EXPECT_GT((place - Parameters(0.55, 0.45)).norm(), 0.15 - sag);
             }
+        }
     }
 }
 
@@ -234,8 +245,9 @@ TEST(PatchQuadrature, aCuspKeepsPositiveWeightsAndItsArea) {
                              reversed(arc(Point(0.2, 0.3, 0), 0.2, -pi / 2, pi / 2))});
     const TrimmedPatch patch(square(1), {cusp});
     const PatchQuadrature quadrature(patch);
-    for (const ParameterPoint& point : quadrature.points(0))
+    for (const ParameterPoint& point : quadrature.points(0)) {
         EXPECT_GT(point.weight, 0);
+    }
     EXPECT_NEAR(integral(quadrature, [](double, double) { return 1; }), pi / 2 * (0.16 - 0.04),
                 1e-13);
 }

@@ -1,9 +1,11 @@
-#include "geometry/trimming/TrimmedPatch.hpp"
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "expectInputError.hpp"
+#include "geometry/trimming/TrimmedPatch.hpp"
 #include "sampleLoops.hpp"
-#include <cmath>
+
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace tokay::geometry {
 
@@ -46,7 +48,7 @@ TEST(TrimmedPatch, aTrimLineOnAKnotLineCutsNoElement) {
 
 TEST(TrimmedPatch, aTrimLineBesideAKnotLineCutsOnlyWhatIsMoreThanASliver) {
     const int n = 10;
-    for (const double side : {-1.0, 1.0})
+    for (const double side : {-1.0, 1.0}) {
         for (const double distance : {1e-12, 1e-8, 1e-4}) {
             const TrimmedPatch patch = cutAt((3 + side * distance) / n, n);
             const bool isSliver = distance < TrimmedPatch::sliver;
@@ -54,12 +56,14 @@ TEST(TrimmedPatch, aTrimLineBesideAKnotLineCutsOnlyWhatIsMoreThanASliver) {
             EXPECT_EQ(count(patch, ElementState::full), isSliver || side > 0 ? 3 * n : 2 * n);
             for (const int element : patch.elements(ElementState::cut)) {
                 double area = 0;
-                for (const Tile& tile : patch.tiles(element))
+                for (const Tile& tile : patch.tiles(element)) {
                     area += tile.area();
+                }
                 // The cut's place is rounded to 1e-16, 1e-15 of an element.
                 EXPECT_NEAR(area * n * n, side > 0 ? distance : 1 - distance, 1e-14);
             }
         }
+    }
 }
 
 TEST(TrimmedPatch, aTrimLineThatWobblesAboutAKnotLineIsConsistent) {
@@ -67,17 +71,20 @@ TEST(TrimmedPatch, aTrimLineThatWobblesAboutAKnotLineIsConsistent) {
     for (const double size : {1e-16, 1e-13, 1e-9, 1e-5}) {
         Polygon corners = {{0, 0}};
         const int nCorners = 40;
-        for (int i = 0; i <= nCorners; ++i)
+        for (int i = 0; i <= nCorners; ++i) {
             corners.push_back({0.5 + size * (i % 3 - 1), static_cast<double>(i) / nCorners});
+        }
         corners.push_back({0, 1});
         const TrimmingLoop loop = polygonLoop(LoopKind::outer, corners);
         const TrimmedPatch patch(square(4), {loop});
         double area = 0;
         for (int element = 0; element < patch.nElements(); ++element) {
-            if (patch.state(element) == ElementState::full)
+            if (patch.state(element) == ElementState::full) {
                 area += patch.elementBox(element).area();
-            for (const Tile& tile : patch.tiles(element))
+            }
+            for (const Tile& tile : patch.tiles(element)) {
                 area += tile.area();
+            }
         }
         EXPECT_NEAR(area, loop.signedArea(), 1e-12) << size; // slivers of 8 elements
     }
@@ -128,14 +135,16 @@ TEST(TrimmedPatch, clippedCellsKeepTheAreaInsideTheLoops) {
                                          circleLoop(LoopKind::inner, {0.5, 0.5}, 0.3)});
     double area = 0; // cells that cover the element
     const int n = 6;
-    for (int j = 0; j < n; ++j)
+    for (int j = 0; j < n; ++j) {
         for (int i = 0; i < n; ++i) {
             const Parameters lower(1.0 * i / n, 1.0 * j / n), size(1.0 / n, 1.0 / n);
             const Parameters right(size[0], 0), up(0, size[1]);
             for (const Polygon& part :
-                 patch.clipped({lower, lower + right, lower + size, lower + up}))
+                 patch.clipped({lower, lower + right, lower + size, lower + up})) {
                 area += signedArea(part);
+            }
         }
+    }
     const double exact = std::acos(-1.0) * (0.2401 - 0.09);
     // Chords lie inside the arcs; two thirds of the tolerance times the circumferences.
     EXPECT_NEAR(area, exact, TrimmedPatch::polygonTolerance * 2 * std::acos(-1.0) * radius);

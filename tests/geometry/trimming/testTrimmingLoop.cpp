@@ -1,12 +1,14 @@
-#include "geometry/trimming/TrimmingLoop.hpp"
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "expectInputError.hpp"
-#include "geometry/spline/curveParts.hpp"
 #include "geometry/primitives/primitives.hpp"
+#include "geometry/spline/curveParts.hpp"
+#include "geometry/trimming/TrimmingLoop.hpp"
 #include "sampleGeometry.hpp"
 #include "sampleLoops.hpp"
-#include <cmath>
+
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace tokay::geometry {
 
@@ -16,8 +18,9 @@ const double pi = std::acos(-1.0);
 
 TEST(CurveParts, aReversedCurveHasTheSamePointsBackwards) {
     const NurbsCurve curve = sampleCurve(), back = reversed(curve);
-    for (const double xi : sampleParameters(57))
+    for (const double xi : sampleParameters(57)) {
         EXPECT_LT((curve.point(xi) - back.point(1 - xi)).norm(), 2e-14); // coordinates of size 6
+    }
     EXPECT_EQ(back.point(0), curve.point(1));
 }
 
@@ -44,12 +47,14 @@ TEST(TrimmingLoop, itsAreaIsExactAndItsPiecesAreMonotone) {
     EXPECT_NEAR(polygonLoop(LoopKind::outer, {{0, 0}, {4, 0}, {4, 1}, {1, 3}}).signedArea(), 7.5,
                 1e-14);
     const TrimmingLoop circle = circleLoop(LoopKind::outer, {0, 0}, 1);
-    for (const PlaneBezier& piece : circle.pieces())
+    for (const PlaneBezier& piece : circle.pieces()) {
         for (int axis = 0; axis < 2; ++axis) {
             const double sign = piece.end()[axis] - piece.start()[axis];
-            for (const double t : sampleParameters(33)) // the tangent has length 1
+            for (const double t : sampleParameters(33)) { // the tangent has length 1
                 EXPECT_GE(sign * piece.tangent(t).derivative[axis], -1e-14);
+            }
         }
+    }
 }
 
 TEST(TrimmingLoop, windsOnceAroundInsideAndNotOutside) {
@@ -68,8 +73,9 @@ TEST(TrimmingLoop, closesSmallGapsToTheBit) {
                                               line(Point(1, 0, 0), Point(0.5, 1, 0)),
                                               line(Point(0.5 + gap, 1, 0), Point(0, 0, 0))});
     const auto& pieces = loop.pieces();
-    for (std::size_t i = 0; i < pieces.size(); ++i)
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
         EXPECT_EQ(pieces[i].end(), pieces[(i + 1) % pieces.size()].start());
+    }
     EXPECT_NEAR(loop.signedArea(), 0.5, gap);
 }
 
@@ -155,7 +161,7 @@ TEST(TrimmingLoop, acceptsCuspsAndNarrowSlits) {
 }
 
 TEST(TrimmingLoop, scaleAndPositionDoNotMatter) {
-    for (const double scale : {1e-9, 1e9})
+    for (const double scale : {1e-9, 1e9}) {
         for (const double shift : {0.0, 1e5}) {
             const double s = scale, o = shift * scale;
             EXPECT_NO_THROW(polygonLoop(LoopKind::outer, {{o, o}, {o + s, o}, {o + s, o + s}}));
@@ -163,6 +169,7 @@ TEST(TrimmingLoop, scaleAndPositionDoNotMatter) {
                                      {{o, o}, {o + 3 * s, o}, {o, o + 2 * s}, {o + 3 * s, o + s}}),
                          InputError);
         }
+    }
 }
 
 } // namespace tokay::geometry

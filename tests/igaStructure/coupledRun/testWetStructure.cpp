@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "ScriptedFluid.hpp"
 #include "exampleBeamCase.hpp"
 #include "exampleCase.hpp"

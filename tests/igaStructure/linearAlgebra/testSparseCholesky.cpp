@@ -1,5 +1,6 @@
-#include "igaStructure/linearAlgebra/SparseCholesky.hpp"
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/assembly/TensorPattern.hpp"
+#include "igaStructure/linearAlgebra/SparseCholesky.hpp"
 
 #include <gtest/gtest.h>
 

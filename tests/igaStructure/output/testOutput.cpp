@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/OutputFile.hpp"
 #include "common/errors.hpp"
 #include "exampleSolid.hpp"
 #include "fileSizeLimit.hpp"
 #include "igaStructure/kinematics/plane/PlaneBody.hpp"
-#include "igaStructure/run/ResultSeries.hpp"
 #include "igaStructure/output/ResultTable.hpp"
 #include "igaStructure/output/VtuMesh.hpp"
+#include "igaStructure/run/ResultSeries.hpp"
 #include "temporaryDirectory.hpp"
 #include "vtuArrays.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "exampleBeamCase.hpp"
 #include "exampleCase.hpp"
 #include "igaStructure/run/checkCase.hpp"

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/errors.hpp"
 #include "exampleCase.hpp"
 #include "exampleLine.hpp"
 #include "exampleSolid.hpp"
-#include "igaStructure/timeIntegration/naturalModes.hpp"
 #include "igaStructure/run/runModes.hpp"
+#include "igaStructure/timeIntegration/naturalModes.hpp"
 #include "tableRows.hpp"
 #include "temporaryDirectory.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/errors.hpp"
 #include "geometry/primitives/primitives.hpp"
 #include "geometry/spline/refinement.hpp"

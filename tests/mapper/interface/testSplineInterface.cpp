@@ -1,8 +1,9 @@
-#include "mapper/interface/SplineInterface.hpp"
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/expectInputError.hpp"
 #include "geometry/primitives/primitives.hpp"
+#include "mapper/interface/SplineInterface.hpp"
 #include "sampleInterfaces.hpp"
+
 #include <gtest/gtest.h>
 
 namespace tokay::mapper {
@@ -20,8 +21,9 @@ TEST(SplineInterface, aCornerOfTwoPiecesIsOnePlace) {
     EXPECT_FALSE(corner.ambiguous);
     EXPECT_LT(corner.gap, 1e-15);
     int nWeights = 0;
-    for (const double weight : corner.weights)
+    for (const double weight : corner.weights) {
         nWeights += std::abs(weight) > 1e-14;
+    }
     EXPECT_EQ(nWeights, 1) << "a corner is a control point";
 }
 

@@ -1,13 +1,15 @@
-#include "mapper/interface/SurfaceMesh.hpp"
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/expectInputError.hpp"
-#include "mapper/nearest/NearestElementMapping.hpp"
-#include "mapper/interface/PointCloud.hpp"
 #include "mapper/conservation.hpp"
+#include "mapper/interface/PointCloud.hpp"
+#include "mapper/interface/SurfaceMesh.hpp"
+#include "mapper/nearest/NearestElementMapping.hpp"
 #include "mappingProperties.hpp"
 #include "sampleMeshes.hpp"
-#include <cmath>
+
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace tokay::mapper {
 

@@ -1,13 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/errors.hpp"
-#include "geometry/quadrature/gaussLegendre.hpp"
 #include "geometry/primitives/primitives.hpp"
+#include "geometry/quadrature/gaussLegendre.hpp"
 #include "geometry/spline/refinement.hpp"
-#include "mapper/mortar/MortarMapping.hpp"
 #include "mapper/conservation.hpp"
+#include "mapper/mortar/MortarMapping.hpp"
 #include "mappingProperties.hpp"
 #include "sampleInterfaces.hpp"
-#include <cmath>
+
 #include <gtest/gtest.h>
+
+#include <cmath>
 #include <numeric>
 
 namespace tokay::mapper {
@@ -49,8 +52,9 @@ struct SlantedEdge {
         for (int i = 0; i <= nElements; ++i) {
             const double t = static_cast<double>(i) / nElements;
             vertices.row(i) << start + (end - start) * t, t, 0;
-            if (i > 0)
+            if (i > 0) {
                 elements.push_back({i - 1, i});
+            }
         }
         return lineMesh(vertices, elements);
     }
@@ -62,8 +66,9 @@ double smooth(double x, double y) {
 
 Eigen::VectorXd smooth(const Points& x) {
     Eigen::VectorXd values(x.rows());
-    for (Eigen::Index i = 0; i < x.rows(); ++i)
+    for (Eigen::Index i = 0; i < x.rows(); ++i) {
         values[i] = smooth(x(i, 0), x(i, 1));
+    }
     return values;
 }
 
@@ -84,9 +89,10 @@ Errors errors(const SlantedEdge& edge, const Eigen::VectorXd& values, double fro
             return std::pow(value - smooth(x, t), 2);
         };
         sums.onEdge += rule.weights[j] * squared(edge.start + (edge.end - edge.start) * t);
-        for (int i = 0; i < 40; ++i)
+        for (int i = 0; i < 40; ++i) {
             sums.beside +=
                 rule.weights[i] * rule.weights[j] * squared(from + (to - from) * rule.points[i]);
+        }
     }
     return {std::sqrt(sums.onEdge), std::sqrt(sums.beside)};
 }
@@ -102,7 +108,7 @@ TEST(GradientTerm, fieldsThatDoNotChangeAcrossTheEdgeAreExactInTheCutElements) {
             (2 - 0.7 * from.coordinates().col(1).array()).matrix(); // linear along the edge
         const Eigen::VectorXd mapped = mapping.apply(along);
         const double left = trim > 0 ? 0 : -0.25, right = left + 0.25; // the cut elements
-        for (const double x : {left + 0.01, left + 0.1, right - 0.01})
+        for (const double x : {left + 0.01, left + 0.1, right - 0.01}) {
             for (const double y : {0.0, 0.3, 1.0}) {
                 const geometry::SurfaceBasis basis = edge.surface.basis((1 + x) / 2, y, 0);
                 // Roundings of the trace reach the far side of an element, 1e-4 of it away
@@ -110,6 +116,7 @@ TEST(GradientTerm, fieldsThatDoNotChangeAcrossTheEdgeAreExactInTheCutElements) {
                 EXPECT_NEAR(basis.N.row(0).dot(mapped(basis.controlPoints)), 2 - 0.7 * y, 1e-11)
                     << "trim " << trim << ", at " << x << ", " << y;
             }
+        }
     }
 }
 
@@ -126,8 +133,9 @@ TEST(GradientTerm, takesLinearFieldsOnTheEdgeAndConservesForceAndMoment) {
         EXPECT_LT(mapping.report().rowSumError, 1e-11);
         const Points forces = mapping.massMatrix() * testForces(to.nValues());
         expectForceAndMomentConserved(mapping, forces, from.coordinates(), to.coordinates());
-        if (end == edge.start)
+        if (end == edge.start) {
             expectTransposesEqual(mapping, from.nValues(), to.nValues());
+        }
         // A trace of 1e-12 of the largest leaves 4 digits of its value, either way.
         const Points values = linearField(from.coordinates()).array().sin();
         const double work = mapping.apply(values).cwiseProduct(forces).sum();

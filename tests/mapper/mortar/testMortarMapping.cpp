@@ -1,13 +1,15 @@
-#include "mapper/mortar/MortarMapping.hpp"
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/errors.hpp"
 #include "geometry/expectInputError.hpp"
 #include "mapper/conservation.hpp"
+#include "mapper/mortar/MortarMapping.hpp"
 #include "mappingProperties.hpp"
 #include "sampleInterfaces.hpp"
+
 #include <Eigen/Eigenvalues>
-#include <cmath>
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace tokay::mapper {
 
@@ -62,13 +64,14 @@ TEST(MortarMapping, passesThePatchTestBetweenSplinesAndLineMeshes) {
 TEST(MortarMapping, mapsConstantsAndMeansWithValuesOnTheElementsOfALineMesh) {
     const CurveInterface vertices = verticalMesh(7), faces = verticalFaces(9),
                          others = verticalFaces(5);
-    for (const CurveInterface* from : {&vertices, &faces, &others})
+    for (const CurveInterface* from : {&vertices, &faces, &others}) {
         for (const CurveInterface* to : {&vertices, &faces, &others}) {
             const MortarMapping mapping(*from, *to);
             EXPECT_LT(mapping.report().rowSumError, 1e-12);
             EXPECT_LT(mapping.report().forceSumError, 1e-12);
             expectTransposesEqual(mapping, from->nValues(), to->nValues());
         }
+    }
     // The mean of a linear field over a straight element is its value in the middle.
     expectPatchTest(vertices, faces, {});
     expectPatchTest(verticalSpline(2, 4), faces, {});
@@ -100,8 +103,9 @@ TEST(MortarMapping, reproducesWhatTheDestinationHoldsOfHigherDegree) {
     // from's C1 functions are not in to's space, but one quadratic is in both.
     Points quadratic(from.nValues(), 3);
     const std::vector<double> knots = from.pieces()[0].curve.knotVector().knots();
-    for (int i = 0; i < from.nValues(); ++i) // blossom of y^2 at the inner knots
+    for (int i = 0; i < from.nValues(); ++i) { // blossom of y^2 at the inner knots
         quadratic.row(i).setConstant(knots[i + 1] * knots[i + 2]);
+    }
     const Points there = MortarMapping(from, to).apply(quadratic);
     EXPECT_LT((MortarMapping(to, from).apply(there) - quadratic).norm(), 1e-12);
     EXPECT_GT((back - exact).norm(), 1e-3) << "a rough field cannot survive";
@@ -112,17 +116,21 @@ TEST(MortarMapping, theReportsMatrixOfATrimLineOnAKnotLine) {
     // In the report's order: pairs across the line, along the line; our control
     // points count along xi, of which columns 1 and 2 do not vanish there.
     std::vector<int> order;
-    for (int j = 0; j < 4; ++j)
-        for (int i = 1; i <= 2; ++i)
+    for (int j = 0; j < 4; ++j) {
+        for (int i = 1; i <= 2; ++i) {
             order.push_back(i + 4 * j);
+        }
+    }
     const Eigen::MatrixXd all = mapping.massMatrix();
     const Eigen::MatrixXd matrix = all(order, order);
     Eigen::Matrix4d along;
     along << 0.025, 0.0145833, 0.00208333, 0, 0.0145833, 0.0416667, 0.025, 0.00208333, 0.00208333,
         0.025, 0.0416667, 0.0145833, 0, 0.00208333, 0.0145833, 0.025;
-    for (int i = 0; i < 8; ++i)
-        for (int j = 0; j < 8; ++j) // half a unit of the last digit printed
+    for (int i = 0; i < 8; ++i) {
+        for (int j = 0; j < 8; ++j) { // half a unit of the last digit printed
             EXPECT_NEAR(matrix(i, j), along(i / 2, j / 2), 5e-8) << i << ", " << j;
+        }
+    }
     EXPECT_EQ(mapping.report().nInverted, 8);
     EXPECT_EQ(mapping.report().rank, 4);
 
@@ -158,8 +166,9 @@ TEST(MortarMapping, refusesASingularMatrixUnlessToldWhatToDo) {
         ADD_FAILURE() << "nothing was thrown";
     } catch (const SolverError& error) {
         const std::string message = error.what();
-        for (const char* word : {"singular", "12 functions", "4 dimensions", "minimum norm"})
+        for (const char* word : {"singular", "12 functions", "4 dimensions", "minimum norm"}) {
             EXPECT_NE(message.find(word), std::string::npos) << message;
+        }
     }
 }
 
@@ -192,8 +201,9 @@ TEST(MortarMapping, keepsConstantsAndForcesOnCurvedSidesThatDoNotCoincide) {
     for (int i = 0; i < 10; ++i) {
         const double angle = std::acos(0.0) * i / 9;
         vertices.row(i) << std::cos(angle), std::sin(angle), 0;
-        if (i > 0)
+        if (i > 0) {
             elements.push_back({i - 1, i});
+        }
     }
     const CurveInterface facets = lineMesh(vertices, elements);
     for (const bool ontoSpline : {false, true}) {

@@ -1,16 +1,18 @@
-#include "mapper/mortar/MortarMapping.hpp"
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "expectPatchTest.hpp"
 #include "geometry/expectInputError.hpp"
 #include "geometry/primitives/primitives.hpp"
 #include "geometry/spline/refinement.hpp"
-#include "mapper/nearest/NearestElementMapping.hpp"
 #include "mapper/conservation.hpp"
+#include "mapper/mortar/MortarMapping.hpp"
+#include "mapper/nearest/NearestElementMapping.hpp"
 #include "sampleMeshes.hpp"
 #include "samplePatches.hpp"
+
 #include <Eigen/Geometry>
-#include <cmath>
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace tokay::mapper {
 

@@ -1,11 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/primitives/primitives.hpp"
 #include "geometry/spline/refinement.hpp"
 #include "mapper/mortar/MortarMapping.hpp"
 #include "mappingProperties.hpp"
 #include "samplePatches.hpp"
+
 #include <Eigen/Geometry>
-#include <cmath>
 #include <gtest/gtest.h>
+
+#include <cmath>
 #include <map>
 
 namespace tokay::mapper {
@@ -23,16 +26,17 @@ SurfaceMesh cubedSphere(int n, const Eigen::Matrix3d& turn) {
         const auto [known, isNew] = numbers.insert({at, static_cast<int>(points.size())});
         if (isNew) {
             Point x;
-            for (int axis = 0; axis < 3; ++axis)
+            for (int axis = 0; axis < 3; ++axis) {
                 x[axis] = std::tan(pi / 4 * at[axis] / n);
+            }
             points.push_back(turn * x.normalized());
         }
         return known->second;
     };
     SurfaceMesh::Faces faces;
-    for (int axis = 0; axis < 3; ++axis)
-        for (const int side : {-n, n})
-            for (int j = -n; j < n; j += 2)
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const int side : {-n, n}) {
+            for (int j = -n; j < n; j += 2) {
                 for (int i = -n; i < n; i += 2) {
                     std::vector<int> face;
                     for (const auto& [di, dj] : {std::pair(0, 0), {2, 0}, {2, 2}, {0, 2}}) {
@@ -42,13 +46,18 @@ SurfaceMesh cubedSphere(int n, const Eigen::Matrix3d& turn) {
                         at[(axis + 2) % 3] = j + dj;
                         face.push_back(vertex(at));
                     }
-                    if (side < 0)
+                    if (side < 0) {
                         std::swap(face[1], face[3]);
+                    }
                     faces.push_back(face);
                 }
+            }
+        }
+    }
     Points vertices(points.size(), 3);
-    for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t i = 0; i < points.size(); ++i) {
         vertices.row(i) = points[i];
+    }
     return SurfaceMesh(vertices, faces, ValuesAt::vertices);
 }
 
@@ -104,8 +113,9 @@ TEST(PoleFaces, theFieldAroundAPoleInsideAFaceIsAsGoodAsElsewhere) {
     const double elsewhere = errorNear(0.5, splines, mapped);
     // Faces of 6 degrees: sagitta 1.4e-3 times the field's slope of 2.5.
     EXPECT_LT(elsewhere, 5e-3);
-    for (const double eta : {0.01, 0.99, 0.05})
+    for (const double eta : {0.01, 0.99, 0.05}) {
         EXPECT_LT(errorNear(eta, splines, mapped), 3 * elsewhere) << eta;
+    }
 }
 
 } // namespace tokay::mapper

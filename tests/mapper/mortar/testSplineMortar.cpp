@@ -1,9 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "expectPatchTest.hpp"
 #include "geometry/expectInputError.hpp"
 #include "geometry/primitives/primitives.hpp"
 #include "geometry/spline/refinement.hpp"
 #include "samplePatches.hpp"
+
 #include <Eigen/QR>
+
 #include <cmath>
 
 namespace tokay::mapper {
@@ -30,14 +33,16 @@ struct Samples {
 
     Samples(const SurfaceInterface& splines, int n)
         : functions(Eigen::MatrixXd::Zero(n * n, splines.nValues())), exact(n * n) {
-        for (int j = 0; j < n; ++j)
+        for (int j = 0; j < n; ++j) {
             for (int i = 0; i < n; ++i) {
                 const double xi = (i + 0.5) / n, eta = (j + 0.5) / n;
                 const Functions at = splines.functions(0, xi, eta);
-                for (std::size_t k = 0; k < at.values.size(); ++k)
+                for (std::size_t k = 0; k < at.values.size(); ++k) {
                     functions(i + n * j, at.values[k]) = at.weights[k];
+                }
                 exact[i + n * j] = smooth(splines.piece(0).patch.basis().point(xi, eta));
             }
+        }
     }
     double error(const Eigen::VectorXd& values) const {
         return (functions * values - exact).norm() / std::sqrt(static_cast<double>(exact.size()));

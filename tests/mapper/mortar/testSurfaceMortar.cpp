@@ -1,11 +1,13 @@
-#include "mapper/mortar/MortarMapping.hpp"
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "mapper/conservation.hpp"
+#include "mapper/mortar/MortarMapping.hpp"
 #include "mappingProperties.hpp"
 #include "sampleMeshes.hpp"
+
 #include <Eigen/Geometry>
-#include <cmath>
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace tokay::mapper {
 
@@ -34,12 +36,13 @@ SurfaceMesh placed(int n, int seed, double scale, double offset) {
     const Points vertices = (scale * mesh.vertices() * rotation.transpose()).rowwise() +
                             scale * offset * Eigen::RowVector3d(1, -0.3, 0.2);
     SurfaceMesh::Faces faces;
-    for (int j = 0; j < n; ++j)
+    for (int j = 0; j < n; ++j) {
         for (int i = 0; i < n; ++i) {
             const int a = i + (n + 1) * j, b = a + 1, c = b + n + 1, d = a + n + 1;
             faces.push_back({a, b, c});
             faces.push_back({a, c, d});
         }
+    }
     return SurfaceMesh(vertices, faces, ValuesAt::vertices);
 }
 
@@ -47,14 +50,16 @@ SurfaceMesh placed(int n, int seed, double scale, double offset) {
 SurfaceMesh quarterCylinder(int nAround, int nAlong, ValuesAt valuesAt) {
     Points vertices((nAround + 1) * (nAlong + 1), 3);
     SurfaceMesh::Faces faces;
-    for (int j = 0; j <= nAlong; ++j)
+    for (int j = 0; j <= nAlong; ++j) {
         for (int i = 0; i <= nAround; ++i) {
             const double angle = std::acos(0.0) * i / nAround;
             const int a = i + (nAround + 1) * j;
             vertices.row(a) << std::cos(angle), std::sin(angle), static_cast<double>(j) / nAlong;
-            if (i < nAround && j < nAlong)
+            if (i < nAround && j < nAlong) {
                 faces.push_back({a, a + 1, a + nAround + 2, a + nAround + 1});
+            }
         }
+    }
     return SurfaceMesh(vertices, faces, valuesAt);
 }
 
@@ -85,7 +90,7 @@ TEST(SurfaceMortar, passesThePatchTestOnStretchedMeshes) {
 }
 
 TEST(SurfaceMortar, mapsConstantsBetweenVertexAndFaceValues) {
-    for (const ValuesAt fromAt : {ValuesAt::vertices, ValuesAt::faces})
+    for (const ValuesAt fromAt : {ValuesAt::vertices, ValuesAt::faces}) {
         for (const ValuesAt toAt : {ValuesAt::vertices, ValuesAt::faces}) {
             const SurfaceMesh from = flatMesh(6, 5, FaceKind::quadrilaterals, fromAt);
             const SurfaceMesh to = flatMesh(4, 7, FaceKind::polygons, toAt, 2, 1, 1);
@@ -94,6 +99,7 @@ TEST(SurfaceMortar, mapsConstantsBetweenVertexAndFaceValues) {
             EXPECT_LT(mapping.report().forceSumError, 1e-12);
             expectTransposesEqual(mapping, from.nValues(), to.nValues());
         }
+    }
 }
 
 TEST(SurfaceMortar, faceValuesOfALinearFieldAreItsMeansOverTheFaces) {
@@ -107,7 +113,7 @@ TEST(SurfaceMortar, faceValuesOfALinearFieldAreItsMeansOverTheFaces) {
 TEST(SurfaceMortar, scalePositionAndRotationDoNotMatter) {
     const Points values = testForces(36);
     const Points reference = MortarMapping(placed(5, 0, 1, 0), placed(4, 2, 1, 0)).apply(values);
-    for (const double scale : {1e-6, 1.0, 1e6})
+    for (const double scale : {1e-6, 1.0, 1e6}) {
         for (const double offset : {0.0, 1e6}) {
             const Points mapped =
                 MortarMapping(placed(5, 0, scale, offset), placed(4, 2, scale, offset))
@@ -116,6 +122,7 @@ TEST(SurfaceMortar, scalePositionAndRotationDoNotMatter) {
             EXPECT_LT((mapped - reference).cwiseAbs().maxCoeff(), offset > 0 ? 1e-8 : 1e-12)
                 << scale << ", " << offset;
         }
+    }
 }
 
 TEST(SurfaceMortar, keepsConstantsAndForcesBetweenFacetedSidesThatDoNotCoincide) {
@@ -145,8 +152,9 @@ TEST(SurfaceMortar, aWideGapLimitDoesNotChangeTheResult) {
     for (const auto& [from, to] : pairs) {
         const Points narrow = mappedWithin(from, to, 0.01);
         // The same pieces in the same order: equal to rounding of the sums.
-        for (const double limit : {0.1, 1.0})
+        for (const double limit : {0.1, 1.0}) {
             EXPECT_LT((mappedWithin(from, to, limit) - narrow).cwiseAbs().maxCoeff(), 1e-13);
+        }
     }
 }
 
@@ -179,13 +187,15 @@ TEST(SurfaceMortar, aThinBodysOtherSideIsNotMapped) {
         Points vertices(2 * nVertices, 3);
         vertices << plate.vertices(), plate.vertices().rowwise() + Eigen::RowVector3d(0, 0, 0.01);
         SurfaceMesh::Faces faces;
-        for (int copy = 0; copy < 2; ++copy)
-            for (int j = 0; j < n; ++j)
+        for (int copy = 0; copy < 2; ++copy) {
+            for (int j = 0; j < n; ++j) {
                 for (int i = 0; i < n; ++i) {
                     const int a = copy * nVertices + i + (n + 1) * j, c = a + n + 2;
                     faces.push_back({a, a + 1, c});
                     faces.push_back({a, c, a + n + 1});
                 }
+            }
+        }
         if (values) {
             *values = Points::Zero(2 * nVertices, 3);
             values->bottomRows(nVertices).setConstant(value);
@@ -209,11 +219,13 @@ TEST(SurfaceMortar, aPartlyCoveredDestinationTakesConstantsAndCountsTheRest) {
     EXPECT_GT(mapping.report().nUncovered, 0);
     const Eigen::VectorXd mapped = mapping.apply(Eigen::VectorXd::Ones(from.nValues()));
     int nZero = 0;
-    for (const double value : mapped)
-        if (value == 0)
+    for (const double value : mapped) {
+        if (value == 0) {
             ++nZero;
-        else
+        } else {
             EXPECT_NEAR(value, 1, 1e-9); // a sliver of a function is all it has
+        }
+    }
     EXPECT_EQ(nZero, mapping.report().nUncovered);
 }
 

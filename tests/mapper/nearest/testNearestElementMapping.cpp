@@ -1,10 +1,12 @@
-#include "mapper/nearest/NearestElementMapping.hpp"
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/expectInputError.hpp"
+#include "mapper/nearest/NearestElementMapping.hpp"
 #include "sampleInterfaces.hpp"
+
 #include <Eigen/Geometry>
-#include <cmath>
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace tokay::mapper {
 
@@ -12,15 +14,17 @@ namespace {
 
 Points testForces(int n) {
     Points forces(n, 3);
-    for (int i = 0; i < n; ++i)
+    for (int i = 0; i < n; ++i) {
         forces.row(i) << std::sin(1.3 * i) + 0.4, std::cos(0.7 * i), 0;
+    }
     return forces;
 }
 
 Point moment(const Points& positions, const Points& forces) {
     Point sum = Point::Zero();
-    for (int i = 0; i < positions.rows(); ++i)
+    for (int i = 0; i < positions.rows(); ++i) {
         sum += Point(positions.row(i)).cross(Point(forces.row(i)));
+    }
     return sum;
 }
 
@@ -52,8 +56,9 @@ TEST(NearestElementMapping, conservesForceAndMoment) {
 TEST(NearestElementMapping, isTheTransposeOfItsConservativePartner) {
     const SplineInterface interface = quarterCircle(3, 5);
     Points to(41, 3);
-    for (int i = 0; i < 41; ++i)
+    for (int i = 0; i < 41; ++i) {
         to.row(i) << std::cos(i * 0.0392), std::sin(i * 0.0392), 0;
+    }
     const NearestElementMapping mapping(interface, to);
     const Points forces = testForces(41);
     const Points values = interface.coordinates().array().sin();
@@ -65,13 +70,15 @@ TEST(NearestElementMapping, evaluatesTheDeformedRationalCurveExactly) {
     const SplineInterface interface = quarterCircle(3, 5);
     const geometry::NurbsCurve& curve = interface.pieces()[0].curve;
     Points to(21, 3);
-    for (int i = 0; i < 21; ++i)
+    for (int i = 0; i < 21; ++i) {
         to.row(i) = curve.point(i / 20.0);
+    }
     const Points deformed = 2 * curve.controlPoints().array().cos();
     const Points mapped = NearestElementMapping(interface, to).apply(deformed);
     const geometry::NurbsCurve deformedCurve = curve.withControlPoints(deformed);
-    for (int i = 0; i < 21; ++i)
+    for (int i = 0; i < 21; ++i) {
         EXPECT_LT((mapped.row(i).transpose() - deformedCurve.point(i / 20.0)).norm(), 1e-13);
+    }
 }
 
 TEST(NearestElementMapping, reportsWhatItFound) {
@@ -90,8 +97,9 @@ TEST(NearestElementMapping, reportsWhatItFound) {
     EXPECT_LT(report.forceSumError, 1e-14);
     EXPECT_GT(report.momentError, 1e-6) << "the gap's moment is lost and must be told";
     EXPECT_GT(report.bytes, 0);
-    for (const char* word : {"nearest element", "points 60", "100.0 %", "0.004", "point 7"})
+    for (const char* word : {"nearest element", "points 60", "100.0 %", "0.004", "point 7"}) {
         EXPECT_NE(report.text().find(word), std::string::npos) << word << report.text();
+    }
 }
 
 TEST(NearestElementMapping, refusesAGapAndNamesPointGapAndLimit) {
@@ -117,12 +125,13 @@ TEST(NearestElementMapping, scalePositionAndRotationDoNotMatter) {
     const SplineInterface interface = quarterCircle(2, 6);
     const geometry::NurbsCurve& curve = interface.pieces()[0].curve;
     Points to(33, 3);
-    for (int i = 0; i < 33; ++i)
+    for (int i = 0; i < 33; ++i) {
         to.row(i) = (1 + 0.003 * std::sin(i)) * curve.point(i / 32.0);
+    }
     const Eigen::MatrixXd reference = NearestElementMapping(interface, to).matrix().toDense();
     const Eigen::Matrix3d rotation =
         Eigen::AngleAxisd(1.1, Point(1, 2, -1).normalized()).toRotationMatrix();
-    for (const double scale : {1e-6, 1.0, 1e6})
+    for (const double scale : {1e-6, 1.0, 1e6}) {
         for (const double offset : {0.0, 1e6}) {
             const auto moved = [&](const Points& x) -> Points {
                 return (scale * x * rotation.transpose()).rowwise() +
@@ -137,6 +146,7 @@ TEST(NearestElementMapping, scalePositionAndRotationDoNotMatter) {
             EXPECT_LT((matrix - reference).cwiseAbs().maxCoeff(), offset > 0 ? 1e-8 : 1e-12)
                 << "scale " << scale << ", offset " << offset;
         }
+    }
 }
 
 } // namespace tokay::mapper

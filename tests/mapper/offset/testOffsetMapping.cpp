@@ -1,12 +1,14 @@
-#include "mapper/offset/OffsetMapping.hpp"
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/expectInputError.hpp"
 #include "geometry/primitives/primitives.hpp"
 #include "geometry/spline/refinement.hpp"
 #include "mapper/conservation.hpp"
+#include "mapper/offset/OffsetMapping.hpp"
+
 #include <Eigen/Geometry>
-#include <cmath>
 #include <gtest/gtest.h>
+
+#include <cmath>
 #include <numeric>
 
 namespace tokay::mapper {
@@ -63,23 +65,26 @@ Points aroundShell() {
 /// Large, smooth, without symmetry; in the plane for the beam.
 Points deformation(const Points& x, bool isPlane) {
     Points u(x.rows(), 3);
-    for (Eigen::Index i = 0; i < x.rows(); ++i)
+    for (Eigen::Index i = 0; i < x.rows(); ++i) {
         u.row(i) << 0.3 * std::sin(2 * x(i, 1)), 0.4 * x(i, 0) * x(i, 0) + 0.1 * x(i, 2),
             isPlane ? 0 : 0.2 * std::cos(3 * x(i, 0));
+    }
     return u;
 }
 
 Points forcesOn(Eigen::Index n, bool isPlane) {
     Points forces = testForces(n);
-    if (isPlane)
+    if (isPlane) {
         forces.col(2).setZero();
+    }
     return forces;
 }
 
 Point moment(const Points& x, const Points& f) {
     Point sum = Point::Zero();
-    for (Eigen::Index i = 0; i < x.rows(); ++i)
+    for (Eigen::Index i = 0; i < x.rows(); ++i) {
         sum += Point(x.row(i)).cross(Point(f.row(i)));
+    }
     return sum;
 }
 
@@ -139,7 +144,7 @@ TEST(OffsetMapping, theVariationIsTheDerivativeOfTheMotion) {
 }
 
 TEST(OffsetMapping, virtualWorkIsConservedInAnyState) {
-    for (const Scene& scene : scenes())
+    for (const Scene& scene : scenes()) {
         for (const double size : {0.0, 1.0}) {
             const Points state = size * deformation(scene.controlPoints, scene.isPlane);
             const Points variation = testForces(state.rows());
@@ -149,6 +154,7 @@ TEST(OffsetMapping, virtualWorkIsConservedInAnyState) {
             EXPECT_NEAR(moved.cwiseProduct(forces).sum(), variation.cwiseProduct(mapped).sum(),
                         1e-12 * moved.norm() * forces.norm());
         }
+    }
 }
 
 TEST(OffsetMapping, forceAndMomentArriveInTheDeformedState) {

@@ -1,14 +1,16 @@
-#include "mapper/rbf/RbfMapping.hpp"
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/expectInputError.hpp"
 #include "mapper/conservation.hpp"
+#include "mapper/rbf/RbfMapping.hpp"
 #include "mappingProperties.hpp"
 #include "sampleInterfaces.hpp"
 #include "sampleMeshes.hpp"
+
 #include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
-#include <gtest/gtest.h>
 
 namespace tokay::mapper {
 
@@ -24,8 +26,9 @@ Points cloud(int nX, int nY, int seed) {
 /// The flat cloud bent onto a cylinder: points in space.
 Points bent(const Points& flat) {
     Points points(flat.rows(), 3);
-    for (Eigen::Index i = 0; i < flat.rows(); ++i)
+    for (Eigen::Index i = 0; i < flat.rows(); ++i) {
         points.row(i) << std::cos(flat(i, 0)), std::sin(flat(i, 0)), flat(i, 1);
+    }
     return points;
 }
 
@@ -42,7 +45,7 @@ TEST(RbfMapping, takesLinearFieldsExactlyAndConservesForceAndMoment) {
     const std::pair<Points, Points> pairs[] = {{cloud(9, 7, 0), cloud(6, 8, 2)},
                                                {bent(cloud(9, 7, 0)), bent(cloud(6, 8, 2))},
                                                {line, otherLine}};
-    for (const RadialKernel kernel : allKernels)
+    for (const RadialKernel kernel : allKernels) {
         for (const auto& [from, to] : pairs) {
             const RbfMapping mapping(from, to, with(kernel));
             const Points expected = linearField(to);
@@ -57,12 +60,14 @@ TEST(RbfMapping, takesLinearFieldsExactlyAndConservesForceAndMoment) {
             EXPECT_NEAR(mapping.apply(values).cwiseProduct(forces).sum(),
                         values.cwiseProduct(mapped).sum(), 1e-11 * values.norm() * mapped.norm());
         }
+    }
 }
 
 TEST(RbfMapping, passesThroughTheValuesOfTheSource) {
     const Points from = bent(cloud(9, 7, 0)), values = testForces(from.rows());
-    for (const RadialKernel kernel : allKernels)
+    for (const RadialKernel kernel : allKernels) {
         EXPECT_LT((RbfMapping(from, from, with(kernel)).apply(values) - values).norm(), 1e-9);
+    }
 }
 
 TEST(RbfMapping, errorsOfASmoothFieldFallWithTheSpacingAtAFixedRadius) {
@@ -124,10 +129,11 @@ TEST(RbfMapping, theAutomaticRadiusHoldsTheNeighboursOfEveryPoint) {
     options.nNeighbours = 15;
     const double radius = RbfMapping(from, from, options).radius();
     Eigen::Index fewest = from.rows();
-    for (Eigen::Index i = 0; i < from.rows(); ++i)
+    for (Eigen::Index i = 0; i < from.rows(); ++i) {
         fewest = std::min(fewest, ((from.rowwise() - from.row(i)).rowwise().norm().array() <=
                                    radius * (1 + 1e-12))
                                       .count());
+    }
     EXPECT_EQ(fewest, 16); // itself and 15
 }
 
@@ -137,7 +143,7 @@ TEST(RbfMapping, thePartitionOfUnityTakesLinearFieldsAndConservesForceAndMoment)
     const std::pair<Points, Points> pairs[] = {{cloud(40, 20, 0), cloud(31, 18, 2)},
                                                {bent(cloud(40, 20, 0)), bent(cloud(31, 18, 2))},
                                                {line, otherLine}};
-    for (const RadialKernel kernel : allKernels)
+    for (const RadialKernel kernel : allKernels) {
         for (const auto& [from, to] : pairs) {
             RbfOptions options = with(kernel);
             options.solution = RbfSolution::partitionOfUnity;
@@ -150,6 +156,7 @@ TEST(RbfMapping, thePartitionOfUnityTakesLinearFieldsAndConservesForceAndMoment)
             expectTransposesEqual(mapping, static_cast<int>(from.rows()),
                                   static_cast<int>(to.rows()));
         }
+    }
 }
 
 TEST(RbfMapping, thePartitionOfUnityIsAboutAsGoodAsTheGlobalSolution) {
@@ -210,7 +217,7 @@ TEST(RbfMapping, theAutomaticChoiceIsAboutAsAccurateAsTheBetterSolution) {
         return (2 * x.col(0)).array().sin() * (3 * x.col(2)).array().cos();
     };
     const Points to = bent(cloud(37, 19, 3));
-    for (const RadialKernel kernel : allKernels)
+    for (const RadialKernel kernel : allKernels) {
         for (const int n : {6, 12, 18, 30}) {
             const Points from = bent(cloud(2 * n, n, 0));
             const auto errorBy = [&](RbfSolution solution) {
@@ -223,11 +230,12 @@ TEST(RbfMapping, theAutomaticChoiceIsAboutAsAccurateAsTheBetterSolution) {
             // Near the bounds the two are alike.
             EXPECT_LT(errorBy(RbfSolution::automatic), 1.5 * best) << nameOf(kernel) << ' ' << n;
         }
+    }
 }
 
 TEST(RbfMapping, mapsFromAFewPointsWithEveryKernel) {
     const Points to = cloud(5, 4, 1);
-    for (const RadialKernel kernel : allKernels)
+    for (const RadialKernel kernel : allKernels) {
         for (const int n : {1, 2, 3}) {
             const Points from = cloud(2, 1, 0).topRows(n);
             RbfOptions options = with(kernel);
@@ -236,6 +244,7 @@ TEST(RbfMapping, mapsFromAFewPointsWithEveryKernel) {
             const RbfMapping mapping(from, to, options);
             EXPECT_LT(mapping.report().rowSumError, 1e-12) << nameOf(kernel) << ' ' << n;
         }
+    }
 }
 
 TEST(RbfMapping, refusesCoincidingPointsTooManyPointsAndFarOnes) {

@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Someone else's program: a field of a fluid's faces on a structure's vertices.
-#include <iostream>
 #include <mapper/MortarMapping.hpp>
+
+#include <iostream>
 
 using namespace tokay::mapper;
 

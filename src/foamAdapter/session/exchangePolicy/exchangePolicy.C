@@ -1,14 +1,4 @@
-/*---------------------------------------------------------------------------*\
-    Tokay: OpenFOAM coupled to an isogeometric structure
--------------------------------------------------------------------------------
-License
-    This file is part of Tokay, which is free software: you can redistribute
-    it and/or modify it under the terms of the GNU General Public License as
-    published by the Free Software Foundation, either version 3 of the
-    License, or (at your option) any later version. See the file LICENSE.
-
-\*---------------------------------------------------------------------------*/
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "exchangePolicy.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //

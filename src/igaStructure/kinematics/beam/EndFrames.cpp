@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/kinematics/beam/EndFrames.hpp"
 
 #include "common/errors.hpp"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "geometry/spline/NurbsCurve.hpp"
-#include "igaStructure/kinematics/beam/LineEnd.hpp"
 #include "igaStructure/assembly/RigidMotions.hpp"
+#include "igaStructure/kinematics/beam/LineEnd.hpp"
 
 #include <Eigen/SparseCore>
 

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "igaStructure/kinematics/beam/EndFrames.hpp"
-#include "igaStructure/kinematics/beam/LineForce.hpp"
 #include "igaStructure/assembly/LinePattern.hpp"
 #include "igaStructure/assembly/StructuralModel.hpp"
+#include "igaStructure/kinematics/beam/EndFrames.hpp"
+#include "igaStructure/kinematics/beam/LineForce.hpp"
 
 namespace tokay::structure {
 

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/kinematics/beam/LineBody.hpp"
 
 #include "igaStructure/kinematics/beam/LineTransfer.hpp"
-#include "igaStructure/kinematics/thinness.hpp"
 #include "igaStructure/kinematics/beam/planeVectors.hpp"
+#include "igaStructure/kinematics/thinness.hpp"
 #include "igaStructure/output/curveMesh.hpp"
 
 #include <fmt/format.h>

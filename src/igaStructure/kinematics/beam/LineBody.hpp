@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "geometry/projection/CurveProjector.hpp"
 #include "igaStructure/kinematics/Body.hpp"
-#include "igaStructure/kinematics/beam/sectionMotion.hpp"
 #include "igaStructure/kinematics/beam/Line.hpp"
+#include "igaStructure/kinematics/beam/sectionMotion.hpp"
 
 namespace tokay::structure {
 

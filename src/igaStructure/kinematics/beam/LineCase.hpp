@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "geometry/spline/NurbsCurve.hpp"
+#include "igaStructure/assembly/Strains.hpp"
 #include "igaStructure/kinematics/beam/LineLoads.hpp"
 #include "igaStructure/kinematics/beam/LineSection.hpp"
-#include "igaStructure/assembly/Strains.hpp"
 
 namespace tokay::structure {
 

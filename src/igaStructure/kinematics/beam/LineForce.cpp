@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/kinematics/beam/LineForce.hpp"
 
 #include "igaStructure/kinematics/beam/planeVectors.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/kinematics/beam/LinePoints.hpp"
 
 #include "geometry/quadrature/gaussLegendre.hpp"

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "igaStructure/kinematics/InterfaceTransfer.hpp"
 #include "igaStructure/kinematics/Coupling.hpp"
+#include "igaStructure/kinematics/InterfaceTransfer.hpp"
 #include "igaStructure/kinematics/beam/Line.hpp"
 #include "mapper/offset/OffsetMapping.hpp"
 

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/kinematics/beam/readLine.hpp"
 
 #include "igaStructure/caseFile/CaseSection.hpp"
-#include "igaStructure/kinematics/readGeometry.hpp"
 #include "igaStructure/caseFile/requireUsed.hpp"
+#include "igaStructure/kinematics/readGeometry.hpp"
 
 #include <fmt/format.h>
 

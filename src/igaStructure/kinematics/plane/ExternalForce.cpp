@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/kinematics/plane/ExternalForce.hpp"
 
-#include "igaStructure/kinematics/plane/PlaneElement.hpp"
 #include "igaStructure/assembly/gaussRule.hpp"
+#include "igaStructure/kinematics/plane/PlaneElement.hpp"
 
 namespace tokay::structure {
 

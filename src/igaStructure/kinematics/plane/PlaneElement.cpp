@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/kinematics/plane/PlaneElement.hpp"
 
 #include "igaStructure/assembly/GeometryError.hpp"

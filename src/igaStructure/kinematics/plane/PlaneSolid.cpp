@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/kinematics/plane/PlaneSolid.hpp"
 
 #include "common/errors.hpp"
-#include "igaStructure/kinematics/plane/PlaneElement.hpp"
 #include "igaStructure/assembly/RigidMotions.hpp"
+#include "igaStructure/kinematics/plane/PlaneElement.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>

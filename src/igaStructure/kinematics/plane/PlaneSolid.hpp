@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "igaStructure/kinematics/plane/ExternalForce.hpp"
-#include "igaStructure/kinematics/plane/Material.hpp"
 #include "igaStructure/assembly/Strains.hpp"
 #include "igaStructure/assembly/StructuralModel.hpp"
-#include "igaStructure/kinematics/plane/Supports.hpp"
 #include "igaStructure/assembly/TabulatedBasis.hpp"
 #include "igaStructure/assembly/TensorPattern.hpp"
+#include "igaStructure/kinematics/plane/ExternalForce.hpp"
+#include "igaStructure/kinematics/plane/Material.hpp"
+#include "igaStructure/kinematics/plane/Supports.hpp"
 
 namespace tokay::structure {
 

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "igaStructure/assembly/Strains.hpp"
 #include "igaStructure/kinematics/plane/Loads.hpp"
 #include "igaStructure/kinematics/plane/Material.hpp"
-#include "igaStructure/assembly/Strains.hpp"
 #include "igaStructure/kinematics/plane/Supports.hpp"
 
 namespace tokay::structure {

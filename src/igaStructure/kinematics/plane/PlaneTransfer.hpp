@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "igaStructure/kinematics/InterfaceTransfer.hpp"
 #include "igaStructure/kinematics/Coupling.hpp"
+#include "igaStructure/kinematics/InterfaceTransfer.hpp"
 #include "igaStructure/kinematics/plane/PlaneSolid.hpp"
-#include "mapper/nearest/NearestElementMapping.hpp"
 #include "mapper/interface/SplineInterface.hpp"
+#include "mapper/nearest/NearestElementMapping.hpp"
 
 namespace tokay::structure {
 

@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "igaStructure/assembly/StructuralModel.hpp"
-#include "igaStructure/kinematics/shell/loads/DeadLoads.hpp"
-#include "igaStructure/kinematics/shell/element/ElementSweep.hpp"
-#include "igaStructure/kinematics/shell/loads/FollowerLoads.hpp"
 #include "igaStructure/assembly/NodePattern.hpp"
+#include "igaStructure/assembly/StructuralModel.hpp"
 #include "igaStructure/kinematics/shell/edges/ShellConstraints.hpp"
+#include "igaStructure/kinematics/shell/element/ElementSweep.hpp"
 #include "igaStructure/kinematics/shell/element/ShellDescription.hpp"
 #include "igaStructure/kinematics/shell/element/ShellNodes.hpp"
+#include "igaStructure/kinematics/shell/loads/DeadLoads.hpp"
+#include "igaStructure/kinematics/shell/loads/FollowerLoads.hpp"
 
 #include <memory>
 #include <string>

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "igaStructure/kinematics/InterfaceTransfer.hpp"
 #include "igaStructure/kinematics/Coupling.hpp"
+#include "igaStructure/kinematics/InterfaceTransfer.hpp"
 #include "igaStructure/kinematics/shell/Shell.hpp"
-#include "mapper/offset/OffsetMapping.hpp"
 #include "mapper/interface/SurfaceInterface.hpp"
+#include "mapper/offset/OffsetMapping.hpp"
 
 namespace tokay::structure {
 

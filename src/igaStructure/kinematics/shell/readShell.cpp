@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/kinematics/shell/readShell.hpp"
 
 #include "geometry/brep/ModelProjector.hpp"
 #include "igaStructure/caseFile/CaseSection.hpp"
+#include "igaStructure/caseFile/requireUsed.hpp"
 #include "igaStructure/kinematics/readBrepModel.hpp"
 #include "igaStructure/kinematics/readMaterial.hpp"
-#include "igaStructure/caseFile/requireUsed.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/kinematics/solid/Solid.hpp"
 
-#include "igaStructure/assembly/RigidMotions.hpp"
 #include "igaStructure/assembly/ElementTangent.hpp"
+#include "igaStructure/assembly/RigidMotions.hpp"
 #include "igaStructure/kinematics/solid/solidHessian.hpp"
 #include "igaStructure/kinematics/solid/solidSupports.hpp"
 

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "igaStructure/assembly/NodePattern.hpp"
 #include "igaStructure/assembly/RowColours.hpp"
 #include "igaStructure/assembly/StructuralModel.hpp"
-#include "igaStructure/assembly/NodePattern.hpp"
 #include "igaStructure/kinematics/solid/ElasticLaw.hpp"
 #include "igaStructure/kinematics/solid/SolidDescription.hpp"
 #include "igaStructure/kinematics/solid/SolidElement.hpp"

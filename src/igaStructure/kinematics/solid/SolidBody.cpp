@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/kinematics/solid/SolidBody.hpp"
 
+#include "igaStructure/kinematics/solid/SidePoints.hpp"
 #include "igaStructure/kinematics/solid/SolidTransfer.hpp"
 #include "igaStructure/kinematics/vonMises.hpp"
-#include "igaStructure/kinematics/solid/SidePoints.hpp"
 #include "igaStructure/output/volumeMesh.hpp"
 
 #include <Eigen/Eigenvalues>

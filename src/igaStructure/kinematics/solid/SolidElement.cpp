@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/kinematics/solid/SolidElement.hpp"
 
 #include "igaStructure/assembly/GeometryError.hpp"
@@ -16,9 +17,9 @@ TabulatedBasis tabulated(const geometry::KnotVector& knots, int additionalPoints
 } // namespace
 
 SolidGrid::SolidGrid(const geometry::NurbsVolume& volume_, int additionalPoints)
-    : volume(volume_), basis{tabulated(volume.u(), additionalPoints),
-                             tabulated(volume.v(), additionalPoints),
-                             tabulated(volume.w(), additionalPoints)} {}
+    : volume(volume_),
+      basis{tabulated(volume.u(), additionalPoints), tabulated(volume.v(), additionalPoints),
+            tabulated(volume.w(), additionalPoints)} {}
 
 int SolidGrid::nFunctions() const {
     return basis[0].nFunctions() * basis[1].nFunctions() * basis[2].nFunctions();

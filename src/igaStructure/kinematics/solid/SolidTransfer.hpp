@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "igaStructure/kinematics/InterfaceTransfer.hpp"
 #include "igaStructure/kinematics/Coupling.hpp"
+#include "igaStructure/kinematics/InterfaceTransfer.hpp"
 #include "igaStructure/kinematics/solid/Solid.hpp"
-#include "mapper/nearest/NearestElementMapping.hpp"
 #include "mapper/interface/SurfaceInterface.hpp"
+#include "mapper/nearest/NearestElementMapping.hpp"
 
 namespace tokay::structure {
 

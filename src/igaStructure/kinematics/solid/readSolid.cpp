@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/kinematics/solid/readSolid.hpp"
 
 #include "igaStructure/caseFile/CaseSection.hpp"
+#include "igaStructure/caseFile/requireUsed.hpp"
 #include "igaStructure/kinematics/readMaterial.hpp"
 #include "igaStructure/kinematics/solid/readVolume.hpp"
-#include "igaStructure/caseFile/requireUsed.hpp"
 
 #include <algorithm>
 

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/kinematics/solid/readVolume.hpp"
 
-#include "geometry/spline/refinement.hpp"
 #include "geometry/primitives/volumePrimitives.hpp"
+#include "geometry/spline/refinement.hpp"
 #include "igaStructure/caseFile/CaseSection.hpp"
+#include "igaStructure/caseFile/requireUsed.hpp"
 #include "igaStructure/kinematics/readBrepModel.hpp"
 #include "igaStructure/kinematics/readGeometry.hpp"
-#include "igaStructure/caseFile/requireUsed.hpp"
 
 namespace tokay::structure {
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/kinematics/solid/solidHessian.hpp"
 
 namespace tokay::structure {

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "ScriptedFluid.hpp"
 #include "exampleBeamCase.hpp"
 #include "exampleCase.hpp"
 #include "exampleLine.hpp"
-#include "igaStructure/kinematics/beam/LineBody.hpp"
 #include "igaStructure/coupledRun/WetBoundary.hpp"
+#include "igaStructure/kinematics/beam/LineBody.hpp"
 #include "tableRows.hpp"
 #include "temporaryDirectory.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/errors.hpp"
 #include "exampleLine.hpp"
 #include "igaStructure/timeIntegration/naturalModes.hpp"

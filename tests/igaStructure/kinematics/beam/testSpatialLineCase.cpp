@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "exampleCase.hpp"
-#include "igaStructure/kinematics/beam/LineBody.hpp"
 #include "igaStructure/case/makeBody.hpp"
+#include "igaStructure/kinematics/beam/LineBody.hpp"
 #include "igaStructure/run/checkCase.hpp"
 #include "igaStructure/run/runAlone.hpp"
 #include "igaStructure/run/runModes.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/case/readCase.hpp"
 #include "igaStructure/run/runAlone.hpp"
 #include "tableRows.hpp"

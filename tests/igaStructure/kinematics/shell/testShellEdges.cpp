@@ -1,8 +1,8 @@
-#include "exampleShell.hpp"
-#include "trimmedDisc.hpp"
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/errors.hpp"
+#include "exampleShell.hpp"
 #include "igaStructure/timeIntegration/naturalModes.hpp"
+#include "trimmedDisc.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>

@@ -1,6 +1,6 @@
-#include "exampleShell.hpp"
-
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/errors.hpp"
+#include "exampleShell.hpp"
 #include "geometry/projection/SurfaceProjector.hpp"
 
 #include <Eigen/Geometry>

@@ -1,5 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "exampleShell.hpp"
-
 #include "igaStructure/kinematics/shell/edges/EdgeTraction.hpp"
 #include "igaStructure/kinematics/shell/edges/TractionBounds.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Solids against exact solutions and against other kinematics.
 #include "exampleVolume.hpp"
 #include "igaStructure/kinematics/plane/PlaneSolid.hpp"

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/kinematics/shell/edges/EdgePoint.hpp"
 
 #include "common/errors.hpp"
-#include "geometry/trimming/CurveOnSurface.hpp"
 #include "geometry/quadrature/gaussLegendre.hpp"
+#include "geometry/trimming/CurveOnSurface.hpp"
 #include "igaStructure/kinematics/shell/element/ShellElement.hpp"
 
 #include <Eigen/Geometry>

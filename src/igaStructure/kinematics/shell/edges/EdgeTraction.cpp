@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/kinematics/shell/edges/EdgeTraction.hpp"
 
 #include "igaStructure/kinematics/shell/element/CovariantPoint.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/kinematics/shell/edges/LagrangeSpring.hpp"
 
 #include "igaStructure/kinematics/shell/edges/NodeUnion.hpp"

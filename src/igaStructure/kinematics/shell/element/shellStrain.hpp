@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "igaStructure/assembly/Strains.hpp"
-#include "igaStructure/kinematics/shell/element/ShellSection.hpp"
 #include "igaStructure/assembly/UnitNormal.hpp"
+#include "igaStructure/kinematics/shell/element/ShellSection.hpp"
 
 namespace tokay::structure {
 

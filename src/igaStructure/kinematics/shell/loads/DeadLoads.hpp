@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "igaStructure/kinematics/shell/element/ElementSweep.hpp"
 #include "igaStructure/kinematics/shell/edges/ShellConstraints.hpp"
+#include "igaStructure/kinematics/shell/element/ElementSweep.hpp"
 
 #include <Eigen/Core>
 

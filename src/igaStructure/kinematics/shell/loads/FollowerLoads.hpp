@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "igaStructure/kinematics/shell/element/ElementSweep.hpp"
 #include "igaStructure/assembly/NodePattern.hpp"
 #include "igaStructure/kinematics/shell/edges/ShellConstraints.hpp"
+#include "igaStructure/kinematics/shell/element/ElementSweep.hpp"
 
 #include <Eigen/Core>
 
