@@ -10,18 +10,19 @@ if(TOKAY_SANITIZE)
     target_link_options(tokayOptions INTERFACE -fsanitize=address,undefined)
 endif()
 
-# Headers of others that most files of a target include: read once, not once a
-# file, which is most of the time that a build takes.
-function(tokay_precompile name)
-    if(TOKAY_PRECOMPILED_HEADERS AND ARGN)
-        target_precompile_headers(${name} PRIVATE ${ARGN})
+# Most of a compilation is reading the headers of others: files are compiled a
+# dozen at a time, which takes a third of the processor time. So names in unnamed
+# namespaces are unique within a folder.
+function(tokay_batch name)
+    if(TOKAY_UNITY_BUILD)
+        set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
     endif()
 endfunction()
 
-# tokay_library(<name> [STATIC] SOURCES <file>... LINK <library>... [PRECOMPILE <header>...])
+# tokay_library(<name> [STATIC] SOURCES <file>... LINK <library>...)
 # Shared with BUILD_SHARED_LIBS, unless it is to be static.
 function(tokay_library name)
-    cmake_parse_arguments(arg "STATIC" "" "SOURCES;LINK;PRECOMPILE" ${ARGN})
+    cmake_parse_arguments(arg "STATIC" "" "SOURCES;LINK" ${ARGN})
     if(arg_STATIC)
         add_library(${name} STATIC ${arg_SOURCES})
     else()
@@ -29,16 +30,16 @@ function(tokay_library name)
     endif()
     target_compile_features(${name} PUBLIC cxx_std_17)
     target_link_libraries(${name} PUBLIC $<BUILD_INTERFACE:tokayOptions> ${arg_LINK})
-    tokay_precompile(${name} ${arg_PRECOMPILE})
+    tokay_batch(${name})
 endfunction()
 
-# tokay_tests(<label> SOURCES <file>... LINK <library>...)
+# tokay_tests(<label> SOURCES <file>... LINK <library>... [PRECOMPILE <header>...])
 # One GoogleTest program a library; each of its tests carries the label.
 function(tokay_tests label)
-    cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
+    cmake_parse_arguments(arg "" "" "SOURCES;LINK;PRECOMPILE" ${ARGN})
     add_executable(${label}Tests ${arg_SOURCES})
     target_link_libraries(${label}Tests PRIVATE ${arg_LINK} GTest::gtest_main)
     target_include_directories(${label}Tests PRIVATE ${CMAKE_SOURCE_DIR}/tests)
-    tokay_precompile(${label}Tests <gtest/gtest.h> <Eigen/Dense> <Eigen/Sparse>)
+    target_precompile_headers(${label}Tests PRIVATE <gtest/gtest.h> ${arg_PRECOMPILE})
     gtest_discover_tests(${label}Tests TEST_PREFIX ${label}. PROPERTIES LABELS ${label} TIMEOUT 300)
 endfunction()

@@ -11,7 +11,7 @@ namespace tokay::coupling {
 namespace {
 
 /// Below this share of the column, what is left of it is rounding error.
-constexpr double rounding = 1e-12;
+constexpr double columnRounding = 1e-12;
 
 /// Subtracts the part of `vector` within the span of q, twice because once
 /// leaves rounding errors of the size of what was subtracted.
@@ -34,7 +34,7 @@ std::vector<int> FilteredQr::prepend(const Eigen::VectorXd& column) {
     Eigen::VectorXd rest = column;
     const Eigen::VectorXd shares = orthogonalise(q_, rest);
     double restNorm = rest.norm();
-    if (restNorm <= rounding * column.norm()) {
+    if (restNorm <= columnRounding * column.norm()) {
         rest.setZero(); // spans nothing new: the filter will drop an older column
         restNorm = 0;
     } else {
@@ -117,7 +117,7 @@ void FilteredQr::rotate(int row, int column) {
 
 bool FilteredQr::isDependent(int column) const {
     const double scale = filter_ == QrFilter::qr1 ? r_.norm() : r_.col(column).norm();
-    return std::abs(r_(column, column)) <= std::max(limit_, rounding) * scale;
+    return std::abs(r_(column, column)) <= std::max(limit_, columnRounding) * scale;
 }
 
 Eigen::VectorXd FilteredQr::solve(const Eigen::VectorXd& rightHandSide) const {

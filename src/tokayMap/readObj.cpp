@@ -12,9 +12,9 @@ namespace tokay::tool {
 
 namespace {
 
-class Reader {
+class ObjReader {
   public:
-    explicit Reader(const std::string& path) : path_(path) {}
+    explicit ObjReader(const std::string& path) : path_(path) {}
 
     MeshFile read() {
         std::ifstream file(path_);
@@ -113,7 +113,7 @@ class Reader {
 } // namespace
 
 MeshFile readObj(const std::string& path) {
-    return Reader(path).read();
+    return ObjReader(path).read();
 }
 
 } // namespace tokay::tool

@@ -14,9 +14,9 @@ namespace {
 
 using mapper::ValuesAt;
 
-class Reader {
+class VtkReader {
   public:
-    explicit Reader(const std::string& path) : arrays_(path) {}
+    explicit VtkReader(const std::string& path) : arrays_(path) {}
 
     MeshFile read() {
         const std::string type = arrays_.root().attribute("type").as_string();
@@ -137,7 +137,7 @@ class Reader {
 } // namespace
 
 MeshFile readVtk(const std::string& path) {
-    return Reader(path).read();
+    return VtkReader(path).read();
 }
 
 } // namespace tokay::tool

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "LinearResponse.hpp"
+#include "channel/connectedPair.hpp"
 #include "common/errors.hpp"
-#include "connectedPair.hpp"
 #include "coupling/FixedPointDriver.hpp"
 
 #include <gmock/gmock.h>

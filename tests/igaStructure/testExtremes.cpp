@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/errors.hpp"
-#include "exampleLine.hpp"
-#include "exampleShell.hpp"
+#include "igaStructure/kinematics/beam/exampleLine.hpp"
+#include "igaStructure/kinematics/shell/exampleShell.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -82,4 +82,14 @@ class StructuralModel {
     virtual double size() const = 0;
 };
 
+/// Sets the components of fixed unknowns to zero.
+/// @param fixed  as StructuralModel::fixed()
+inline void setFixedToZero(const std::vector<bool>& fixed, Eigen::VectorXd& vector) {
+    for (std::size_t k = 0; k < fixed.size(); ++k) {
+        if (fixed[k]) {
+            vector[static_cast<Eigen::Index>(k)] = 0;
+        }
+    }
+}
+
 } // namespace tokay::structure

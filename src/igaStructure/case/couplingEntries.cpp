@@ -10,7 +10,7 @@ using namespace casePresence;
 
 namespace {
 
-constexpr auto faces = "left right bottom top back front";
+constexpr auto wetFaces = "left right bottom top back front";
 
 const coupling::CouplingOptions coupled;
 
@@ -26,7 +26,7 @@ const std::vector<CaseEntry>& couplingEntries() {
     // path, kind, presence, default, unit, allowed, count, meaning
     {"coupling", Kind::map, optional, "", "", "", 0,
      "Coupling to a fluid; not looked at in a run alone."},
-    {"coupling.interface", Kind::words, optional, "", "", faces, 0,
+    {"coupling.interface", Kind::words, optional, "", "", wetFaces, 0,
      "Wet edges of a plane solid, faces of a solid; where two of them meet, a point belongs to the one named first."},
     {"coupling.mapping", Kind::map, defaulted, "{}", "", "", 0,
      "Transfer between the fluid's points and faces and the structure."},

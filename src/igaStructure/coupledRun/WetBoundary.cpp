@@ -16,7 +16,7 @@ using geometry::Points;
 
 namespace {
 
-using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using PointRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 void requireDimension(const Body& body, const Interface& fluid) {
     if (fluid.dimension == static_cast<std::uint32_t>(body.dimension())) {
@@ -34,8 +34,8 @@ void requireDimension(const Body& body, const Interface& fluid) {
 Points readPoints(const Body& body, const Interface& fluid) {
     requireDimension(body, fluid);
     const int dimension = body.dimension();
-    const Eigen::Map<const Rows> given(fluid.points.data(), fluid.points.size() / dimension,
-                                       dimension);
+    const Eigen::Map<const PointRows> given(fluid.points.data(), fluid.points.size() / dimension,
+                                            dimension);
     Points points = Points::Zero(given.rows(), 3);
     points.leftCols(dimension) = given;
     return points;
@@ -52,7 +52,7 @@ WetBoundary::WetBoundary(const Body& body, const Coupling& coupling, const Inter
       transfer_(body.transfer(coupling, points_)) {}
 
 Eigen::VectorXd WetBoundary::components(const Points& ofPoints) const {
-    const Rows values = ofPoints.leftCols(dimension_);
+    const PointRows values = ofPoints.leftCols(dimension_);
     return Eigen::Map<const Eigen::VectorXd>(values.data(), values.size());
 }
 
@@ -74,7 +74,7 @@ Points WetBoundary::onPoints(const std::vector<double>& onFaces) const {
         throw PeerError(fmt::format("the fluid sent {} force components for {} faces",
                                     onFaces.size(), nFaces()));
     }
-    const Eigen::Map<const Rows> given(onFaces.data(), nFaces(), dimension_);
+    const Eigen::Map<const PointRows> given(onFaces.data(), nFaces(), dimension_);
     for (int face = 0; face < nFaces(); ++face) {
         if (!given.row(face).allFinite()) {
             throw PeerError(fmt::format(

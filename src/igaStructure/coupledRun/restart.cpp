@@ -13,7 +13,7 @@ using coupling::Interface;
 namespace {
 
 // Names of time folders have few digits: a state may be this part of a step off.
-constexpr double timeTolerance = 0.1;
+constexpr double startTimeTolerance = 0.1;
 
 // The fluid's displacement is the saved one, but for the digits of its files.
 constexpr double displacementTolerance = 1e-4;
@@ -65,7 +65,8 @@ std::optional<StartState> findStartState(const Case& structureCase, int nUnknown
     const Eigen::Map<const Eigen::VectorXd> ofFluid(fluid.displacements.data(),
                                                     boundary.nComponents());
     const bool isDeformed = (ofFluid.array() != 0).any();
-    std::optional<SavedState> saved = folder.find(fluid.startTime, timeTolerance * fluid.deltaT);
+    std::optional<SavedState> saved =
+        folder.find(fluid.startTime, startTimeTolerance * fluid.deltaT);
     if (!saved && isDeformed) {
         throwNoState(fluid, folder);
     }

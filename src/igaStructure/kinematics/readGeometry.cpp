@@ -48,7 +48,7 @@ std::string curveShape(const CaseSection& geometry) {
     return geometry.exactlyOne({"line", "arc", "nurbs"});
 }
 
-geometry::NurbsCurve readLine(const CaseSection& section) {
+geometry::NurbsCurve readStraightLine(const CaseSection& section) {
     const geometry::Point from = readCoordinates(section, "from");
     const geometry::Point to = readCoordinates(section, "to");
     try {
@@ -114,7 +114,7 @@ geometry::NurbsCurve readCurve(const CaseSection& file) {
     const CaseSection section = file.section("geometry");
     const std::string shape = curveShape(section);
     const CaseSection given = section.section(shape);
-    return refined(shape == "line"  ? readLine(given)
+    return refined(shape == "line"  ? readStraightLine(given)
                    : shape == "arc" ? readArc(given)
                                     : readNurbsCurve(given),
                    file.section("discretisation"));

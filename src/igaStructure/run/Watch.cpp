@@ -10,7 +10,7 @@ namespace tokay::structure {
 namespace {
 
 // A coordinate typed by a person has some digits only.
-constexpr double relativeTolerance = 1e-6;
+constexpr double watchTolerance = 1e-6;
 
 std::string coordinates(const Eigen::VectorXd& x) {
     return fmt::format("{:.6g}", fmt::join(x.begin(), x.end(), ", "));
@@ -21,7 +21,7 @@ std::string coordinates(const Eigen::VectorXd& x) {
 Watch::Watch(const Body& body, const std::vector<WatchPoint>& points) : body_(body) {
     for (const WatchPoint& point : points) {
         const Body::Closest found = body.closest(point.at);
-        if (found.distance > relativeTolerance * body.model().size()) {
+        if (found.distance > watchTolerance * body.model().size()) {
             const Eigen::VectorXd nearest = body.positions({found.place}).col(0);
             throw InputError(fmt::format("output.watchPoints: '{}' at [{}] lies {:.4g} m "
                                          "outside the body; its nearest point is [{}]",

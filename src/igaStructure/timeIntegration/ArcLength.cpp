@@ -18,14 +18,6 @@ namespace {
 constexpr int easyIterations = 4;
 constexpr double shortest = 1.0 / 1024;
 
-void setFixedToZero(const std::vector<bool>& fixed, VectorXd& vector) {
-    for (std::size_t k = 0; k < fixed.size(); ++k) {
-        if (fixed[k]) {
-            vector[k] = 0;
-        }
-    }
-}
-
 } // namespace
 
 ArcLength::ArcLength(StructuralModel& model, const NewtonOptions& newton, double firstStep)

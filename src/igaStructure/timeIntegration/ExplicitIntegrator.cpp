@@ -14,14 +14,6 @@ namespace {
 // Power iterations; the estimate comes from below, within 1 % after these.
 constexpr int nPowerIterations = 60;
 
-void setFixedToZero(const std::vector<bool>& fixed, VectorXd& vector) {
-    for (std::size_t k = 0; k < fixed.size(); ++k) {
-        if (fixed[k]) {
-            vector[k] = 0;
-        }
-    }
-}
-
 void requireNoStiffnessDamping(const StructuralModel& model) {
     if (model.stiffnessDamping() > 0) {
         throw InputError("material.rayleighDamping.stiffness: explicit time integration has mass "

@@ -29,14 +29,6 @@ void combine(double a, const SparseMatrix& A, double b, const SparseMatrix& B,
                                                  b * Eigen::Map<const VectorXd>(B.valuePtr(), n);
 }
 
-void setFixedToZero(const std::vector<bool>& fixed, VectorXd& vector) {
-    for (std::size_t k = 0; k < fixed.size(); ++k) {
-        if (fixed[k]) {
-            vector[k] = 0;
-        }
-    }
-}
-
 } // namespace
 
 TimeIntegrator::TimeIntegrator(StructuralModel& model, const TimeScheme& scheme,

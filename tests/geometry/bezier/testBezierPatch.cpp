@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/bezier/BezierPatch.hpp"
 #include "geometry/bezier/bezierPieces.hpp"
-#include "sampleGeometry.hpp"
+#include "geometry/sampleGeometry.hpp"
 
 #include <gtest/gtest.h>
 

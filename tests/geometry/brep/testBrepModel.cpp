@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expectInputError.hpp"
 #include "geometry/brep/BrepModel.hpp"
+#include "geometry/expectInputError.hpp"
 #include "geometry/primitives/primitives.hpp"
-#include "sampleModels.hpp"
+#include "geometry/sampleModels.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expectInputError.hpp"
 #include "geometry/brep/cadJson.hpp"
+#include "geometry/expectInputError.hpp"
 #include "geometry/primitives/primitives.hpp"
+#include "geometry/sampleLoops.hpp"
+#include "geometry/sampleModels.hpp"
 #include "geometry/trimming/PatchQuadrature.hpp"
-#include "sampleLoops.hpp"
-#include "sampleModels.hpp"
 
 #include <gtest/gtest.h>
 

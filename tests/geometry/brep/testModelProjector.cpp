@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/brep/ModelProjector.hpp"
 #include "geometry/primitives/primitives.hpp"
+#include "geometry/sampleGeometry.hpp"
+#include "geometry/sampleLoops.hpp"
+#include "geometry/sampleModels.hpp"
 #include "geometry/spline/refinement.hpp"
-#include "sampleGeometry.hpp"
-#include "sampleLoops.hpp"
-#include "sampleModels.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/OutputFile.hpp"
-#include "expectInputError.hpp"
 #include "geometry/brep/writeModelVtu.hpp"
+#include "geometry/expectInputError.hpp"
 #include "geometry/primitives/primitives.hpp"
+#include "geometry/sampleGeometry.hpp"
+#include "geometry/sampleLoops.hpp"
+#include "geometry/sampleModels.hpp"
 #include "geometry/trimming/chords.hpp"
 #include "geometry/trimming/patchTriangles.hpp"
-#include "sampleGeometry.hpp"
-#include "sampleLoops.hpp"
-#include "sampleModels.hpp"
 #include "vtuArrays.hpp"
 
 #include <Eigen/Geometry>

@@ -2,8 +2,8 @@
 #include "geometry/primitives/primitives.hpp"
 #include "geometry/projection/CurveProjector.hpp"
 #include "geometry/projection/SurfaceProjector.hpp"
+#include "geometry/sampleGeometry.hpp"
 #include "geometry/spline/refinement.hpp"
-#include "sampleGeometry.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/primitives/primitives.hpp"
 #include "geometry/projection/surfacePoles.hpp"
-#include "sampleGeometry.hpp"
+#include "geometry/sampleGeometry.hpp"
 
 #include <gtest/gtest.h>
 

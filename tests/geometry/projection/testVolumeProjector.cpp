@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/projection/VolumeProjector.hpp"
-#include "sampleVolume.hpp"
+#include "geometry/sampleVolume.hpp"
 
 #include <gtest/gtest.h>
 

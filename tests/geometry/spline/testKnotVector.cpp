@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/errors.hpp"
-#include "expectInputError.hpp"
+#include "geometry/expectInputError.hpp"
+#include "geometry/sampleGeometry.hpp"
 #include "geometry/spline/KnotVector.hpp"
-#include "sampleGeometry.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expectInputError.hpp"
+#include "geometry/expectInputError.hpp"
+#include "geometry/sampleGeometry.hpp"
 #include "geometry/spline/NurbsSurface.hpp"
-#include "sampleGeometry.hpp"
 
 #include <gtest/gtest.h>
 

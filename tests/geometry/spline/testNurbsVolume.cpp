@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expectInputError.hpp"
+#include "geometry/expectInputError.hpp"
+#include "geometry/sampleGeometry.hpp"
+#include "geometry/sampleVolume.hpp"
 #include "geometry/spline/NurbsVolume.hpp"
-#include "sampleGeometry.hpp"
-#include "sampleVolume.hpp"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expectInputError.hpp"
+#include "geometry/expectInputError.hpp"
 #include "geometry/spline/openSpline.hpp"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expectInputError.hpp"
 #include "geometry/bezier/bezierPieces.hpp"
+#include "geometry/expectInputError.hpp"
 #include "geometry/primitives/primitives.hpp"
+#include "geometry/sampleGeometry.hpp"
 #include "geometry/spline/refinement.hpp"
-#include "sampleGeometry.hpp"
 
 #include <gtest/gtest.h>
 

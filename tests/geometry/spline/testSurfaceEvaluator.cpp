@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/primitives/primitives.hpp"
+#include "geometry/sampleGeometry.hpp"
 #include "geometry/spline/SurfaceEvaluator.hpp"
 #include "geometry/spline/refinement.hpp"
-#include "sampleGeometry.hpp"
 
 #include <gtest/gtest.h>
 

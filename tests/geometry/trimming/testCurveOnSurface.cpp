@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expectInputError.hpp"
 #include "geometry/bezier/parameterCrossings.hpp"
+#include "geometry/expectInputError.hpp"
 #include "geometry/primitives/primitives.hpp"
 #include "geometry/quadrature/gaussLegendre.hpp"
+#include "geometry/sampleGeometry.hpp"
 #include "geometry/spline/refinement.hpp"
 #include "geometry/trimming/CurveOnSurface.hpp"
-#include "sampleGeometry.hpp"
 
 #include <gtest/gtest.h>
 

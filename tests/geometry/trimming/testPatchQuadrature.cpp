@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expectInputError.hpp"
+#include "geometry/expectInputError.hpp"
 #include "geometry/primitives/primitives.hpp"
+#include "geometry/sampleLoops.hpp"
 #include "geometry/spline/curveParts.hpp"
 #include "geometry/spline/refinement.hpp"
 #include "geometry/trimming/PatchQuadrature.hpp"
-#include "sampleLoops.hpp"
 
 #include <gtest/gtest.h>
 

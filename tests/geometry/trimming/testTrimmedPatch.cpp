@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expectInputError.hpp"
+#include "geometry/expectInputError.hpp"
+#include "geometry/sampleLoops.hpp"
 #include "geometry/trimming/TrimmedPatch.hpp"
-#include "sampleLoops.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/errors.hpp"
-#include "exampleCase.hpp"
 #include "geometry/brep/cadJson.hpp"
 #include "geometry/primitives/primitives.hpp"
 #include "igaStructure/case/makeBody.hpp"
+#include "igaStructure/exampleCase.hpp"
 #include "igaStructure/run/checkCase.hpp"
 #include "temporaryDirectory.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "exampleCase.hpp"
 #include "igaStructure/caseFile/CaseEntry.hpp"
+#include "igaStructure/exampleCase.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ScriptedFluid.hpp"
-#include "exampleCase.hpp"
+#include "igaStructure/ScriptedFluid.hpp"
+#include "igaStructure/exampleCase.hpp"
 #include "igaStructure/run/runAlone.hpp"
-#include "tableRows.hpp"
+#include "igaStructure/tableRows.hpp"
 #include "temporaryDirectory.hpp"
 
 #include <gmock/gmock.h>

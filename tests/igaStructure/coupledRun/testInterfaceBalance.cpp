@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ScriptedFluid.hpp"
-#include "exampleLine.hpp"
-#include "exampleSolid.hpp"
+#include "igaStructure/ScriptedFluid.hpp"
 #include "igaStructure/coupledRun/interfaceBalance.hpp"
 #include "igaStructure/kinematics/beam/LineBody.hpp"
+#include "igaStructure/kinematics/beam/exampleLine.hpp"
 #include "igaStructure/kinematics/plane/PlaneBody.hpp"
+#include "igaStructure/kinematics/solid/exampleSolid.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

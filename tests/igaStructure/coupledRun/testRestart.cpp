@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ScriptedFluid.hpp"
 #include "common/errors.hpp"
-#include "exampleCase.hpp"
+#include "igaStructure/ScriptedFluid.hpp"
 #include "igaStructure/coupledRun/SavedState.hpp"
 #include "igaStructure/coupledRun/StateFolder.hpp"
 #include "igaStructure/coupledRun/interfaceRenumbering.hpp"
+#include "igaStructure/exampleCase.hpp"
 #include "igaStructure/output/pvd.hpp"
 #include "temporaryDirectory.hpp"
 

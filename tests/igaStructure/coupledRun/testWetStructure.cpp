@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ScriptedFluid.hpp"
-#include "exampleBeamCase.hpp"
-#include "exampleCase.hpp"
+#include "igaStructure/ScriptedFluid.hpp"
 #include "igaStructure/case/makeBody.hpp"
 #include "igaStructure/case/readCase.hpp"
 #include "igaStructure/coupledRun/CouplingScheme.hpp"
+#include "igaStructure/exampleCase.hpp"
+#include "igaStructure/kinematics/beam/exampleBeamCase.hpp"
 #include "temporaryDirectory.hpp"
 
 #include <Eigen/LU>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/OutputFile.hpp"
 #include "common/errors.hpp"
-#include "exampleSolid.hpp"
 #include "fileSizeLimit.hpp"
 #include "igaStructure/kinematics/plane/PlaneBody.hpp"
+#include "igaStructure/kinematics/solid/exampleSolid.hpp"
 #include "igaStructure/output/ResultTable.hpp"
 #include "igaStructure/output/VtuMesh.hpp"
 #include "igaStructure/run/ResultSeries.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "exampleBeamCase.hpp"
-#include "exampleCase.hpp"
+#include "igaStructure/exampleCase.hpp"
+#include "igaStructure/kinematics/beam/exampleBeamCase.hpp"
 #include "igaStructure/run/checkCase.hpp"
 
 #include <gmock/gmock.h>

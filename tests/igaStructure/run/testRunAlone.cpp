@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/OutputFile.hpp"
 #include "common/errors.hpp"
-#include "exampleCase.hpp"
 #include "fileSizeLimit.hpp"
+#include "igaStructure/exampleCase.hpp"
 #include "igaStructure/run/checkCase.hpp"
 #include "igaStructure/run/runAlone.hpp"
-#include "tableRows.hpp"
+#include "igaStructure/tableRows.hpp"
 #include "temporaryDirectory.hpp"
 
 #include <gmock/gmock.h>

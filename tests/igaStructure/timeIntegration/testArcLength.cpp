@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/errors.hpp"
-#include "exampleLine.hpp"
+#include "igaStructure/kinematics/beam/exampleLine.hpp"
 #include "igaStructure/timeIntegration/ArcLength.hpp"
 
 #include <Eigen/LU>

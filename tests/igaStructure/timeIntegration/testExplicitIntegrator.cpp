@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/errors.hpp"
-#include "exampleBeamCase.hpp"
-#include "exampleCase.hpp"
-#include "exampleLine.hpp"
-#include "exampleSolid.hpp"
+#include "igaStructure/exampleCase.hpp"
+#include "igaStructure/kinematics/beam/exampleBeamCase.hpp"
+#include "igaStructure/kinematics/beam/exampleLine.hpp"
+#include "igaStructure/kinematics/solid/exampleSolid.hpp"
 #include "igaStructure/run/runAlone.hpp"
+#include "igaStructure/tableRows.hpp"
 #include "igaStructure/timeIntegration/ExplicitIntegrator.hpp"
-#include "tableRows.hpp"
 #include "temporaryDirectory.hpp"
 
 #include <Eigen/Eigenvalues>

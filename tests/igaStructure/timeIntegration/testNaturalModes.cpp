@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/errors.hpp"
-#include "exampleCase.hpp"
-#include "exampleLine.hpp"
-#include "exampleSolid.hpp"
+#include "igaStructure/exampleCase.hpp"
+#include "igaStructure/kinematics/beam/exampleLine.hpp"
+#include "igaStructure/kinematics/solid/exampleSolid.hpp"
 #include "igaStructure/run/runModes.hpp"
+#include "igaStructure/tableRows.hpp"
 #include "igaStructure/timeIntegration/naturalModes.hpp"
-#include "tableRows.hpp"
 #include "temporaryDirectory.hpp"
 
 #include <gmock/gmock.h>

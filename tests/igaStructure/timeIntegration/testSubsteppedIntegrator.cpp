@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "exampleCase.hpp"
 #include "igaStructure/case/makeBody.hpp"
+#include "igaStructure/exampleCase.hpp"
 #include "igaStructure/timeIntegration/SubsteppedIntegrator.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/errors.hpp"
-#include "exampleLine.hpp"
-#include "exampleSolid.hpp"
+#include "igaStructure/kinematics/beam/exampleLine.hpp"
+#include "igaStructure/kinematics/solid/exampleSolid.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "geometry/expectInputError.hpp"
 #include "geometry/primitives/primitives.hpp"
 #include "mapper/interface/SplineInterface.hpp"
-#include "sampleInterfaces.hpp"
+#include "mapper/sampleInterfaces.hpp"
 
 #include <gtest/gtest.h>
 

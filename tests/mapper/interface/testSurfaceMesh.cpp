@@ -3,9 +3,9 @@
 #include "mapper/conservation.hpp"
 #include "mapper/interface/PointCloud.hpp"
 #include "mapper/interface/SurfaceMesh.hpp"
+#include "mapper/mappingProperties.hpp"
 #include "mapper/nearest/NearestElementMapping.hpp"
-#include "mappingProperties.hpp"
-#include "sampleMeshes.hpp"
+#include "mapper/sampleMeshes.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,9 @@
 #include "geometry/quadrature/gaussLegendre.hpp"
 #include "geometry/spline/refinement.hpp"
 #include "mapper/conservation.hpp"
+#include "mapper/mappingProperties.hpp"
 #include "mapper/mortar/MortarMapping.hpp"
-#include "mappingProperties.hpp"
-#include "sampleInterfaces.hpp"
+#include "mapper/sampleInterfaces.hpp"
 
 #include <gtest/gtest.h>
 

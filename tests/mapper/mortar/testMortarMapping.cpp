@@ -2,9 +2,9 @@
 #include "common/errors.hpp"
 #include "geometry/expectInputError.hpp"
 #include "mapper/conservation.hpp"
+#include "mapper/mappingProperties.hpp"
 #include "mapper/mortar/MortarMapping.hpp"
-#include "mappingProperties.hpp"
-#include "sampleInterfaces.hpp"
+#include "mapper/sampleInterfaces.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>

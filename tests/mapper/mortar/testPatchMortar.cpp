@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expectPatchTest.hpp"
 #include "geometry/expectInputError.hpp"
 #include "geometry/primitives/primitives.hpp"
 #include "geometry/spline/refinement.hpp"
 #include "mapper/conservation.hpp"
+#include "mapper/expectPatchTest.hpp"
 #include "mapper/mortar/MortarMapping.hpp"
 #include "mapper/nearest/NearestElementMapping.hpp"
-#include "sampleMeshes.hpp"
-#include "samplePatches.hpp"
+#include "mapper/sampleMeshes.hpp"
+#include "mapper/samplePatches.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

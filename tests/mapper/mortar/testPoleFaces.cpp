@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/primitives/primitives.hpp"
 #include "geometry/spline/refinement.hpp"
+#include "mapper/mappingProperties.hpp"
 #include "mapper/mortar/MortarMapping.hpp"
-#include "mappingProperties.hpp"
-#include "samplePatches.hpp"
+#include "mapper/samplePatches.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expectPatchTest.hpp"
 #include "geometry/expectInputError.hpp"
 #include "geometry/primitives/primitives.hpp"
 #include "geometry/spline/refinement.hpp"
-#include "samplePatches.hpp"
+#include "mapper/expectPatchTest.hpp"
+#include "mapper/samplePatches.hpp"
 
 #include <Eigen/QR>
 

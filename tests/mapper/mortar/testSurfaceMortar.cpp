@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mapper/conservation.hpp"
+#include "mapper/mappingProperties.hpp"
 #include "mapper/mortar/MortarMapping.hpp"
-#include "mappingProperties.hpp"
-#include "sampleMeshes.hpp"
+#include "mapper/sampleMeshes.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

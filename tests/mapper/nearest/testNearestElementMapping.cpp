@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/expectInputError.hpp"
 #include "mapper/nearest/NearestElementMapping.hpp"
-#include "sampleInterfaces.hpp"
+#include "mapper/sampleInterfaces.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

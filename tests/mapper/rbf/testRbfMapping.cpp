@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/expectInputError.hpp"
 #include "mapper/conservation.hpp"
+#include "mapper/mappingProperties.hpp"
 #include "mapper/rbf/RbfMapping.hpp"
-#include "mappingProperties.hpp"
-#include "sampleInterfaces.hpp"
-#include "sampleMeshes.hpp"
+#include "mapper/sampleInterfaces.hpp"
+#include "mapper/sampleMeshes.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

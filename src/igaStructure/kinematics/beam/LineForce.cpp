@@ -15,7 +15,7 @@ using Eigen::VectorXd;
 namespace {
 
 // Formulas need not be polynomials: two points more than the basis needs.
-constexpr int additionalPoints = 2;
+constexpr int additionalAxisPoints = 2;
 
 Vector3d evaluate(const std::vector<Formula>& formulas, const geometry::Point& at, double time) {
     Vector3d vector = Vector3d::Zero();
@@ -36,7 +36,7 @@ void spread(const LinePoint& point, const Eigen::Ref<const VectorXd>& force, Vec
 LineForce::LineForce(const geometry::NurbsCurve& curve, const LineSection& section, LineLoads loads,
                      int dimension)
     : section_(section), loads_(std::move(loads)), dimension_(dimension),
-      points_(linePoints(curve, curve.degree() + additionalPoints, dimension)),
+      points_(linePoints(curve, curve.degree() + additionalAxisPoints, dimension)),
       nUnknowns_(dimension * curve.nControlPoints()),
       hasFollowers_(!loads_.pressures.empty() ||
                     std::any_of(loads_.ends.begin(), loads_.ends.end(),

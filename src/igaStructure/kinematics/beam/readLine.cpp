@@ -104,7 +104,7 @@ LineEnd readEnd(const CaseSection& section) {
     return section.text("end") == "start" ? LineEnd::start : LineEnd::end;
 }
 
-std::vector<LineSupport> readSupports(const CaseSection& file) {
+std::vector<LineSupport> readBeamSupports(const CaseSection& file) {
     std::vector<LineSupport> supports;
     std::vector<std::string> components = {"x", "y"};
     if (isInSpace(file)) {
@@ -157,7 +157,7 @@ void readEndLoad(const CaseSection& section, bool beam, int dimension, LineLoads
     loads.ends.push_back(std::move(load));
 }
 
-LineLoads readLoads(const CaseSection& file) {
+LineLoads readBeamLoads(const CaseSection& file) {
     LineLoads loads;
     const int dimension = curveDimension(file);
     for (const CaseSection& section : file.list("loads")) {
@@ -194,8 +194,8 @@ LineCase readLine(const CaseSection& file) {
             readSection(file),
             file.section("model").text("strains") == "linear" ? Strains::linear
                                                               : Strains::nonlinear,
-            readSupports(file),
-            readLoads(file),
+            readBeamSupports(file),
+            readBeamLoads(file),
             curveDimension(file)};
 }
 

@@ -9,7 +9,7 @@ namespace tokay::structure {
 namespace {
 
 // Formulas need not be polynomials: two points more than the basis needs.
-constexpr int additionalPoints = 2;
+constexpr int additionalLoadPoints = 2;
 
 bool dependsOnTime(const std::array<Formula, 2>& formulas) {
     return formulas[0].dependsOnTime() || formulas[1].dependsOnTime();
@@ -54,7 +54,7 @@ const Eigen::VectorXd& ExternalForce::at(double time) {
 void ExternalForce::add(const EdgeTraction& load, double time, Eigen::VectorXd& force) const {
     const geometry::BoundaryCurve boundary = surface_.boundaryCurve(load.edge);
     const std::vector<double>& breakpoints = boundary.curve.knotVector().breakpoints();
-    const GaussRule rule = gaussRule(boundary.curve.degree() + additionalPoints);
+    const GaussRule rule = gaussRule(boundary.curve.degree() + additionalLoadPoints);
     for (std::size_t span = 0; span + 1 < breakpoints.size(); ++span) {
         const double length = breakpoints[span + 1] - breakpoints[span];
         for (std::size_t g = 0; g < rule.points.size(); ++g) {
@@ -74,8 +74,8 @@ void ExternalForce::add(const EdgeTraction& load, double time, Eigen::VectorXd& 
 }
 
 void ExternalForce::add(const Gravity& load, double time, Eigen::VectorXd& force) const {
-    const TabulatedBasis u(surface_.u(), surface_.u().degree() + additionalPoints);
-    const TabulatedBasis v(surface_.v(), surface_.v().degree() + additionalPoints);
+    const TabulatedBasis u(surface_.u(), surface_.u().degree() + additionalLoadPoints);
+    const TabulatedBasis v(surface_.v(), surface_.v().degree() + additionalLoadPoints);
     PlaneElement element(surface_, u, v);
     for (int spanV = 0; spanV < v.nSpans(); ++spanV) {
         for (int spanU = 0; spanU < u.nSpans(); ++spanU) {

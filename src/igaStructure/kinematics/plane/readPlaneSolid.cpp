@@ -9,7 +9,7 @@ namespace tokay::structure {
 
 namespace {
 
-Material readMaterial(const CaseSection& file) {
+Material readPlaneMaterial(const CaseSection& file) {
     const CaseSection model = file.section("model");
     const CaseSection section = file.section("material");
     const CaseSection damping = section.section("rayleighDamping");
@@ -31,7 +31,7 @@ Material readMaterial(const CaseSection& file) {
     return material;
 }
 
-std::vector<Support> readSupports(const CaseSection& file) {
+std::vector<Support> readPlaneSupports(const CaseSection& file) {
     std::vector<Support> supports;
     for (const CaseSection& section : file.list("supports")) {
         requireUsed(section, {"edge", "fix"}, "a plane solid");
@@ -50,7 +50,7 @@ std::array<Formula, 2> pair(const CaseSection& section, const std::string& name)
     return {std::move(formulas[0]), std::move(formulas[1])};
 }
 
-Loads readLoads(const CaseSection& file) {
+Loads readPlaneLoads(const CaseSection& file) {
     Loads loads;
     for (const CaseSection& section : file.list("loads")) {
         requireUsed(section, {"edge", "traction", "gravity"}, "a plane solid");
@@ -75,7 +75,7 @@ PlaneSolidCase readPlaneSolid(const CaseSection& file) {
     return {readSurface(file),
             file.section("model").text("strains") == "linear" ? Strains::linear
                                                               : Strains::nonlinear,
-            readMaterial(file), readSupports(file), readLoads(file)};
+            readPlaneMaterial(file), readPlaneSupports(file), readPlaneLoads(file)};
 }
 
 } // namespace tokay::structure

@@ -7,10 +7,10 @@ namespace tokay::structure {
 
 namespace {
 
-constexpr int additionalPoints = 2;
+constexpr int additionalSidePoints = 2;
 
 TabulatedBasis tabulated(const geometry::KnotVector& knots) {
-    return TabulatedBasis(knots, knots.degree() + additionalPoints);
+    return TabulatedBasis(knots, knots.degree() + additionalSidePoints);
 }
 
 SidePoints::SidePoint pointAt(const geometry::NurbsSurface& surface, double xi, double eta,

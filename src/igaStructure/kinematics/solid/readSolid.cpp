@@ -12,7 +12,7 @@ namespace tokay::structure {
 
 namespace {
 
-std::vector<SolidSupport> readSupports(const CaseSection& file) {
+std::vector<SolidSupport> readSolidSupports(const CaseSection& file) {
     std::vector<SolidSupport> supports;
     for (const CaseSection& section : file.list("supports")) {
         requireUsed(section, {"faces", "fix"}, "a solid");
@@ -38,7 +38,7 @@ geometry::Side readSide(const CaseSection& section) {
     }
 }
 
-SolidLoads readLoads(const CaseSection& file) {
+SolidLoads readSolidLoads(const CaseSection& file) {
     SolidLoads loads;
     for (const CaseSection& section : file.list("loads")) {
         requireUsed(section, {"face", "traction", "pressure", "gravity"}, "a solid");
@@ -64,7 +64,7 @@ SolidDescription readSolid(const CaseSection& file) {
     requireUsed(model, {"kinematics", "strains", "thickness"}, "solid");
     return {readVolume(file), readMaterial(file),
             model.text("strains") == "linear" ? Strains::linear : Strains::nonlinear,
-            readSupports(file), readLoads(file)};
+            readSolidSupports(file), readSolidLoads(file)};
 }
 
 } // namespace tokay::structure

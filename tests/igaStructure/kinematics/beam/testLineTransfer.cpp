@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ScriptedFluid.hpp"
 #include "exampleBeamCase.hpp"
-#include "exampleCase.hpp"
 #include "exampleLine.hpp"
+#include "igaStructure/ScriptedFluid.hpp"
 #include "igaStructure/coupledRun/WetBoundary.hpp"
+#include "igaStructure/exampleCase.hpp"
 #include "igaStructure/kinematics/beam/LineBody.hpp"
-#include "tableRows.hpp"
+#include "igaStructure/tableRows.hpp"
 #include "temporaryDirectory.hpp"
 
 #include <gmock/gmock.h>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "exampleCase.hpp"
 #include "igaStructure/case/makeBody.hpp"
+#include "igaStructure/exampleCase.hpp"
 #include "igaStructure/kinematics/beam/LineBody.hpp"
 #include "igaStructure/run/checkCase.hpp"
 #include "igaStructure/run/runAlone.hpp"
 #include "igaStructure/run/runModes.hpp"
-#include "tableRows.hpp"
+#include "igaStructure/tableRows.hpp"
 #include "temporaryDirectory.hpp"
 
 #include <gmock/gmock.h>

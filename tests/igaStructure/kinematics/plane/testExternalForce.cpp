@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/errors.hpp"
-#include "exampleSolid.hpp"
 #include "igaStructure/assembly/gaussRule.hpp"
+#include "igaStructure/kinematics/solid/exampleSolid.hpp"
 
 #include <gtest/gtest.h>
 

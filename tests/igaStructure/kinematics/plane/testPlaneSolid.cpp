@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/errors.hpp"
-#include "exampleSolid.hpp"
+#include "igaStructure/kinematics/solid/exampleSolid.hpp"
 
 #include <gtest/gtest.h>
 

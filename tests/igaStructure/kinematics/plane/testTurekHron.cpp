@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/case/readCase.hpp"
 #include "igaStructure/run/runAlone.hpp"
-#include "tableRows.hpp"
+#include "igaStructure/tableRows.hpp"
 #include "temporaryDirectory.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "exampleLine.hpp"
 #include "exampleShell.hpp"
+#include "igaStructure/kinematics/beam/exampleLine.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/errors.hpp"
-#include "exampleCase.hpp"
 #include "geometry/brep/cadJson.hpp"
 #include "geometry/primitives/primitives.hpp"
 #include "igaStructure/case/makeBody.hpp"
+#include "igaStructure/exampleCase.hpp"
 #include "igaStructure/kinematics/shell/ShellBody.hpp"
 #include "igaStructure/run/checkCase.hpp"
 #include "igaStructure/run/runAlone.hpp"
-#include "tableRows.hpp"
+#include "igaStructure/tableRows.hpp"
 #include "temporaryDirectory.hpp"
 
 #include <Eigen/Geometry>

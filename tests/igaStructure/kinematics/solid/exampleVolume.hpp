@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "exampleShell.hpp"
 #include "geometry/primitives/primitives.hpp"
 #include "geometry/primitives/volumePrimitives.hpp"
 #include "geometry/spline/refinement.hpp"
+#include "igaStructure/kinematics/shell/exampleShell.hpp"
 #include "igaStructure/kinematics/solid/Solid.hpp"
 
 #include <ostream>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ScriptedFluid.hpp"
 #include "common/errors.hpp"
-#include "exampleCase.hpp"
 #include "exampleVolume.hpp"
+#include "igaStructure/ScriptedFluid.hpp"
 #include "igaStructure/case/makeBody.hpp"
+#include "igaStructure/exampleCase.hpp"
 #include "igaStructure/kinematics/solid/SolidBody.hpp"
 #include "igaStructure/output/volumeMesh.hpp"
 #include "igaStructure/run/checkCase.hpp"
 #include "igaStructure/run/runAlone.hpp"
-#include "tableRows.hpp"
+#include "igaStructure/tableRows.hpp"
 #include "temporaryDirectory.hpp"
 
 #include <Eigen/Geometry>

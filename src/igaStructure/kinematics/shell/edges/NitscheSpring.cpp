@@ -116,10 +116,10 @@ MatrixXd stabilisation(const TractionBounds& bounds, const Vector3d& normal, boo
     return share * matrix;
 }
 
-class Builder {
+class NitscheBuilder {
   public:
-    Builder(const std::vector<EdgePoint>& points, const std::array<bool, 3>& components,
-            bool rotation, bool bending, double factor)
+    NitscheBuilder(const std::vector<EdgePoint>& points, const std::array<bool, 3>& components,
+                   bool rotation, bool bending, double factor)
         : factor_(factor), bending_(bending) {
         for (int c = 0; c < 3; ++c) {
             held_[c] = held_[3 + c] = components[c] ? 1 : 0;
@@ -202,7 +202,7 @@ std::vector<std::unique_ptr<EdgeSpring>> nitscheSprings(const std::vector<EdgePo
     if (points.empty()) {
         return springs;
     }
-    const Builder builder(points, components, rotation, bending, factor);
+    const NitscheBuilder builder(points, components, rotation, bending, factor);
     for (const EdgePoint& point : points) {
         springs.push_back(builder.spring(point));
     }

@@ -57,9 +57,9 @@ struct SideStiffness {
     double bending;  ///< E t^3 / 12 / (1 - nu^2) [N m]; 0: a membrane
 };
 
-class Builder {
+class ConstraintsBuilder {
   public:
-    Builder(const ShellDescription& description, const ShellPatches& patches, int nNodes)
+    ConstraintsBuilder(const ShellDescription& description, const ShellPatches& patches, int nNodes)
         : description_(description), method_(description.chosenEdgeMethod()), patches_(patches) {
         requirePossible();
         constraints_.supported.assign(3 * nNodes, false);
@@ -280,7 +280,7 @@ class Builder {
 
 ShellConstraints shellConstraints(const ShellDescription& description, const ShellPatches& patches,
                                   int nNodes) {
-    return Builder(description, patches, nNodes).build();
+    return ConstraintsBuilder(description, patches, nNodes).build();
 }
 
 std::vector<std::string> freeRigidMotions(const geometry::Points& nodes,

@@ -24,7 +24,7 @@ double areaAt(const PatchPlace& place) {
 
 // visit(place, weight in the parameters) at Gauss points of a whole element.
 template <class Visit>
-void forEachPoint(const ShellPatch& patch, int element, Visit visit) {
+void forEachPointOfWhole(const ShellPatch& patch, int element, Visit visit) {
     const geometry::ParameterBox box = patch.patch().elementBox(element);
     const auto& u = geometry::gaussLegendre(patch.surface().u().degree() + 1);
     const auto& v = geometry::gaussLegendre(patch.surface().v().degree() + 1);
@@ -49,7 +49,7 @@ SliverSpring::SliverSpring(const ShellPatch& patch, int sliver, int whole, doubl
     nodes_ = nodes.nodes();
     const Eigen::Index n = nodes.size();
     stiffness_ = MatrixXd::Zero(3 * n, 3 * n);
-    forEachPoint(patch, sliver, [&](const geometry::Parameters& at, double weight) {
+    forEachPointOfWhole(patch, sliver, [&](const geometry::Parameters& at, double weight) {
         const PatchPlace here = placeIn(patch, sliver, at);
         const PatchPlace there = placeIn(patch, whole, at);
         RowVectorXd difference = RowVectorXd::Zero(n);
