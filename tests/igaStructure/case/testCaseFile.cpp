@@ -224,9 +224,9 @@ TEST(CaseFile, every_path_of_the_table_of_entries_is_unique_and_has_a_parent) {
 }
 
 TEST(CaseFile, manual_has_the_table_of_entries_as_the_reader_uses_it) {
-    std::ifstream file(TOKAY_SOURCE_DIR "/doc/caseFile.md");
+    std::ifstream file(TOKAY_SOURCE_DIR "/doc/reference/caseFile.md");
     std::ostringstream manual;
     manual << file.rdbuf();
     EXPECT_THAT(manual.str(), HasSubstr(describeCaseEntries()))
-        << "igaStructure entries prints what doc/caseFile.md must contain";
+        << "igaStructure entries prints what doc/reference/caseFile.md must contain";
 }
