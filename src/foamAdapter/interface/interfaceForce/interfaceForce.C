@@ -4,6 +4,8 @@
 #include "turbulentTransportModel.H"
 #include "turbulentFluidThermoModel.H"
 
+#include <cmath>
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::tmp<Foam::scalarField> Foam::interfaceForce::viscosity
@@ -121,6 +123,45 @@ Foam::vectorField Foam::interfaceForce::operator()
     }
 
     return vectorField(std::move(forces));
+}
+
+
+Foam::string Foam::interfaceForce::describeNonFinite
+(
+    const labelList& patches,
+    const vectorField& forces
+) const
+{
+    List<string> texts(Pstream::nProcs());
+    string& own = texts[Pstream::myProcNo()];
+    label facei = 0;
+    for (const label patchi : patches)
+    {
+        for (const point& centre : mesh_.boundary()[patchi].Cf())
+        {
+            const vector& force = forces[facei++];
+            if (own.empty() && !std::isfinite(cmptSum(force)))
+            {
+                OStringStream os;
+                os  << "the fluid's force is not finite: " << force
+                    << " N on patch '" << mesh_.boundary()[patchi].name()
+                    << "' at " << centre << ", time "
+                    << mesh_.time().timeName()
+                    << " s. The flow has diverged";
+                own = os.str();
+            }
+        }
+    }
+    Pstream::gatherList(texts);
+    Pstream::scatterList(texts);
+    for (const string& text : texts)
+    {
+        if (!text.empty())
+        {
+            return text;
+        }
+    }
+    return string();
 }
 
 
