@@ -52,17 +52,7 @@ Foam::fv::couplingFvOption::couplingFvOption
 
 void Foam::fv::couplingFvOption::correct(volVectorField&)
 {
-    couplingSession& session =
-        mesh_.lookupObjectRef<couplingSession>(sessionName_);
-    session.endVelocitySolution();
-
-    const pimpleControl& pimple =
-        mesh_.lookupObject<pimpleControl>("solutionControl");
-
-    if (pimple.corrPISO() == pimple.nCorrPISO())
-    {
-        session.endOuterCorrector();
-    }
+    mesh_.lookupObjectRef<couplingSession>(sessionName_).endVelocityCorrection();
 }
 
 

@@ -17,6 +17,7 @@ void Foam::couplingSession::beginTimeStep()
     step_.begin();
     audited_ = false;
     rates_.beginTimeStep();
+    force_.beginTimeStep();
     coupledCorrector_ = 0;
 
     const scalar start = stepController::wallClock();
@@ -186,6 +187,42 @@ void Foam::couplingSession::endFinalCorrector()
 }
 
 
+void Foam::couplingSession::endOuterCorrector()
+{
+    if (!step_.hasBegun() || corrector_ != pimple_.corr())
+    {
+        structure_.fail
+        (
+            "the mesh was not moved in this outer corrector, so the "
+            "structure's displacement did not reach the fluid. Check constant/"
+            "dynamicMeshDict and 'moveMeshOuterCorrectors yes;'"
+        );
+    }
+
+    step_.current().outerCorrectors = corrector_;
+    step_.current().fluidResidual = residual_.momentum();
+
+    if (pimple_.finalIter())
+    {
+        endFinalCorrector();
+    }
+    else if (isDue())
+    {
+        iterate(false);
+        residual_.enter(step_.current().residual);
+        if (step_.hasFailed())
+        {
+            residual_.endLoop();
+        }
+    }
+    else
+    {
+        step_.current().converged = false;
+        residual_.enter(1);
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::couplingSession::couplingSession
@@ -263,38 +300,16 @@ const Foam::vectorField& Foam::couplingSession::displacement
 }
 
 
-void Foam::couplingSession::endOuterCorrector()
+void Foam::couplingSession::endVelocityCorrection()
 {
-    if (!step_.hasBegun() || corrector_ != pimple_.corr())
+    rates_.keepNew();
+    if (pimple_.corrPISO() == pimple_.nCorrPISO())
     {
-        structure_.fail
-        (
-            "the mesh was not moved in this outer corrector, so the "
-            "structure's displacement did not reach the fluid. Check constant/"
-            "dynamicMeshDict and 'moveMeshOuterCorrectors yes;'"
-        );
+        endOuterCorrector();
     }
-
-    step_.current().outerCorrectors = corrector_;
-    step_.current().fluidResidual = residual_.momentum();
-
-    if (pimple_.finalIter())
+    if (pimple_.corrPISO() > 0)
     {
-        endFinalCorrector();
-    }
-    else if (isDue())
-    {
-        iterate(false);
-        residual_.enter(step_.current().residual);
-        if (step_.hasFailed())
-        {
-            residual_.endLoop();
-        }
-    }
-    else
-    {
-        step_.current().converged = false;
-        residual_.enter(1);
+        force_.endPressureCorrector();
     }
 }
 
