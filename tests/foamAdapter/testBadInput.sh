@@ -192,28 +192,26 @@ policy()
     expectRefusal "ignore" "(abort warn retry)" "controlDict.functions.structure"
 }
 
-property exchangePolicy "an exchange policy that cannot be followed is refused"
-exchangePolicy()
+property couplingInterval "a coupling interval that cannot be followed is refused"
+couplingInterval()
 {
     makeCase fluid
-    coupling exchange interval
-    expectRefusal "exchangeInterval" "controlDict.functions.structure"
-    coupling exchangeInterval 0
-    expectRefusal "'exchangeInterval' is 0: it must be at least 1"
-    coupling exchange everyCorrector
-    expectRefusal "'exchangeInterval' is given, but 'exchange' is 'everyCorrector'" "remove it"
-    removeEntry system/controlDict functions.structure.exchangeInterval
-    coupling exchange fluidConverged
+    coupling couplingInterval 0
+    expectRefusal "couplingInterval: 0; allowed: a number of outer correctors, at least 1, or fluidConverged" \
+        "controlDict.functions.structure"
+    coupling couplingInterval everyCorrector
+    expectRefusal "couplingInterval: everyCorrector; allowed"
+    coupling couplingInterval fluidConverged
     removeEntry system/fvSolution PIMPLE.residualControl.U
     expectRefusal "residualControl has no entry for the velocity" "add 'U { tolerance 1e-4; relTol 0; }'"
 }
 
-property innerTolerances "an unknown choice of the pressure's tolerance is refused"
-innerTolerances()
+property pressureTolerance "an unknown choice of the pressure's tolerance is refused"
+pressureTolerance()
 {
     makeCase fluid
-    coupling innerTolerances loose
-    expectRefusal "'innerTolerances' is 'loose': it can be fixed or tied" "controlDict.functions.structure"
+    coupling pressureTolerance loose
+    expectRefusal "pressureTolerance: loose; allowed: fixed, relaxed" "controlDict.functions.structure"
 }
 
 property timeControl "a time control of the function object is refused"

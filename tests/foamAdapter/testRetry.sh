@@ -95,7 +95,7 @@ structure()
     inBoth runFluid
     expectSameRun "0.01 0.02 0.03 "
     expectEqual "steps" "$(stepLengths long/record)" "0.01 R 0.005 0.005 0.01 R 0.005 0.005 0.01 R 0.005 0.005 "
-    expectText long/log.pimpleFoam "the step to 0.01 s is taken back: no solution, as told" "it is repeated with deltaT 0.005 s"
+    expectText long/log.pimpleFoam "time step ending at t = 0.01 s rejected: no solution, as told" "retrying with deltaT = 0.005 s"
 }
 
 property unconverged "a step that does not converge is repeated as if it had not been"
@@ -105,7 +105,7 @@ unconverged()
     inBoth entry system/fvSolution PIMPLE.nOuterCorrectors 60
     inBoth runFluid
     expectSameRun "0.01 0.02 0.03 "
-    expectText long/log.pimpleFoam "is taken back: time 0.01 s did not converge in 60 correctors: coupling residual 1"
+    expectText long/log.pimpleFoam "rejected: time 0.01 s did not converge in 60 outer correctors: coupling residual 1"
 }
 
 property last "so is a step that fails in the exchange that should accept it"
@@ -242,12 +242,12 @@ smallest()
 {
     makeSwaying fluid neverConverges
     coupling onUnconverged retry
-    coupling retry '{ smallestDeltaT 0.002; }'
+    coupling retry '{ minDeltaT 0.002; }'
     entry system/fvSolution PIMPLE.nOuterCorrectors 3
     runFaultyFluid
     expectEqual "steps" "$(stepLengths record)" "0.01 R 0.005 R 0.0025 "
-    expectText log.pimpleFoam "time 0.0025 s did not converge in 3 correctors" \
-        "half of 0.0025 s would be below 'smallestDeltaT' 0.002 s of 'retry'"
+    expectText log.pimpleFoam "time 0.0025 s did not converge in 3 outer correctors" \
+        "Half of deltaT 0.0025 s would be below 'minDeltaT' 0.002 s of 'retry'"
     expectText log.igaStructure "the fluid ended: time 0.0025 s did not converge"
 }
 
@@ -269,7 +269,7 @@ flap()
     flapEntry "newton: {" "newton: {maximumIterations: 3, "
     coupling onUnconverged retry
     runFluid
-    expectText log.pimpleFoam "is taken back: time 0.01 s, time step 0.01 s: Newton's method did not converge"
+    expectText log.pimpleFoam "rejected: time 0.01 s, time step 0.01 s: Newton's method did not converge"
     expectText log.igaStructure "step 1 time 0.01 s is rejected: time 0.01 s"
     deltaT=$(awk '!/^#/ { print $2; exit }' postProcessing/structure/0/coupling.dat)
     cd ../short

@@ -2,13 +2,13 @@
 # The coupled time step inside the PIMPLE loop.
 source "$(dirname "$0")/harness.sh"
 
-# steps RECORD: "time deltaT exchanges finalExchanges writes" of each step
+# steps RECORD: "time deltaT iterations finalIterations writes" of each step
 steps()
 {
     awk '
-        function flush() { if (time != "") print time, deltaT, exchanges, finals, writes }
-        $1 == "step" { flush(); time = $3; deltaT = $4; exchanges = finals = writes = 0 }
-        $1 == "forces" { ++exchanges; finals += $3; writes += $4 }
+        function flush() { if (time != "") print time, deltaT, iterations, finals, writes }
+        $1 == "step" { flush(); time = $3; deltaT = $4; iterations = finals = writes = 0 }
+        $1 == "forces" { ++iterations; finals += $3; writes += $4 }
         END { flush() }' "$1"
 }
 
@@ -32,7 +32,7 @@ property frozen "the displacement stays as it was in the final corrector"
 frozen()
 {
     makeCase fluid
-    # Each exchange of a step moves the flap further, the last one too
+    # Each coupling iteration of a step moves the flap further, the last one too
     behave creeps
     entry system/controlDict writeInterval 0.03
     runFluid
@@ -53,8 +53,8 @@ frozen()
     fi
 }
 
-property exchanges "each corrector makes one exchange, the last one final"
-exchanges()
+property iterations "each outer corrector has one coupling iteration, the last one final"
+iterations()
 {
     makeCase fluid
     behave creeps
@@ -62,40 +62,39 @@ exchanges()
     steps record > steps
     expectEqual "steps" "$(awk '{ print $1, $2 }' steps | tr '\n' ' ')" \
         "0.01 0.01 0.02 0.01 $(awk 'NR == 3 { print $1, $2 }' steps) "
-    expectEqual "final exchanges a step" "$(cut -d ' ' -f 4 steps | sort -u)" 1
-    expectEqual "exchanges" "$(cut -d ' ' -f 3 steps | tr '\n' ' ')" \
+    expectEqual "final iterations per step" "$(cut -d ' ' -f 4 steps | sort -u)" 1
+    expectEqual "coupling iterations" "$(cut -d ' ' -f 3 steps | tr '\n' ' ')" \
         "$(grep 'PIMPLE: converged in' log.pimpleFoam | awk '{ print $4 }' | tr '\n' ' ')"
-    # The fourth exchange converges, and one more is final
+    # The fourth coupling iteration converges, and one more is final
     awk '$3 < 5 { exit 1 }' steps || fail "a step has ended before the structure had converged"
 }
 
-property exchangeInterval "with an interval of two every second corrector exchanges, and the final one"
-exchangeInterval()
+property couplingInterval "with an interval of two every second outer corrector is coupled, and the final one"
+couplingInterval()
 {
     makeCase fluid
     behave creeps
-    coupling exchange interval
-    coupling exchangeInterval 2
+    coupling couplingInterval 2
     runFluid
     expectEqual "converged" "$(table | awk '{ print $7 }' | sort -u)" 1
-    # n exchanges of two correctors each, then the final one
-    table | awk '$3 != 2*($4 - 1) + 1 || $4 < 5 { exit 1 }' || fail "correctors and exchanges: $(table | cut -f 3,4)"
+    # n coupling iterations of two outer correctors each, then the final one
+    table | awk '$3 != 2*($4 - 1) + 1 || $4 < 5 { exit 1 }' || fail "outer correctors and coupling iterations: $(table | cut -f 3,4)"
 }
 
-property fluidConverged "an exchange waits until the flow has converged, if that is asked for"
+property fluidConverged "a coupling iteration waits until the flow has converged, if the case asks for it"
 fluidConverged()
 {
     makeCase fluid
     behave creeps
-    coupling exchange fluidConverged
+    coupling couplingInterval fluidConverged
     entry system/fvSolution PIMPLE.residualControl.U.tolerance 1e-5
-    # Enough for four exchanges with a converged flow
+    # Enough for four coupling iterations with a converged flow
     entry system/fvSolution PIMPLE.nOuterCorrectors 100
     runFluid
     expectEqual "converged" "$(table | awk '{ print $7 }' | sort -u)" 1
     awk '$1 == "forces" && $3 == 0 { ++n; if (!($5 < 1e-5)) bad = 1 } END { exit bad || n < 12 }' record \
-        || fail "an exchange with a flow that has not converged"
-    table | awk '$3 < 2*$4 { exit 1 }' || fail "as many exchanges as correctors"
+        || fail "a coupling iteration with a flow that has not converged"
+    table | awk '$3 < 2*$4 { exit 1 }' || fail "as many coupling iterations as outer correctors"
 }
 
 property planeInSpace "in a plane flow in space the residual of the noise across does not count"
@@ -135,13 +134,13 @@ pressures()
         /Solving for p(corr)?,/ { solution[++n] = $8 + 0 " " $12 + 0 }' "$1"
 }
 
-# makeInner FOLDER CHOICE: a flow that converges well below what is compared
-makeInner()
+# makeTolerance FOLDER CHOICE: a flow that converges well below what is compared
+makeTolerance()
 {
     cd "$propertyFolder"
     makeCase "$1"
     behave creeps
-    coupling innerTolerances "$2"
+    coupling pressureTolerance "$2"
     entry system/fvSolution PIMPLE.residualControl.U.tolerance 1e-8
     entry system/fvSolution PIMPLE.nOuterCorrectors 100
 }
@@ -156,14 +155,14 @@ expectLoose()
         || fail "an accepted pressure is not as tight as the case asks"
 }
 
-property innerTolerances "tied to the coupling, the pressure is solved loosely until the final corrector"
-innerTolerances()
+property pressureTolerance "relaxed, the pressure is solved loosely until the final outer corrector"
+pressureTolerance()
 {
-    makeInner own fixed
+    makeTolerance own fixed
     runFluid
     pressures log.pimpleFoam > pressures
     awk '$4 && $2 > 1e-8 { exit 1 }' pressures || fail "the pressure was not solved as the case asks"
-    makeInner loose tied
+    makeTolerance loose relaxed
     runFluid
     pressures log.pimpleFoam > pressures
     expectLoose
@@ -174,10 +173,10 @@ innerTolerances()
     cmp -s system/fvSolution ../own/system/fvSolution || fail "the run has changed fvSolution"
 }
 
-property innerPattern "it loosens no other solver where a pattern stands for all of the pressure"
-innerPattern()
+property tolerancePattern "it relaxes no other solver where a pattern matches all of the pressure solvers"
+tolerancePattern()
 {
-    makeInner fluid tied
+    makeTolerance fluid relaxed
     removeEntry system/fvSolution solvers.pFinal
     removeEntry system/fvSolution solvers.p
     sed -i 's/"pcorr\.\*"/"p.*"/; s/tolerance  *1e-0*6;/tolerance 1e-8;/' system/fvSolution
@@ -187,16 +186,15 @@ innerPattern()
     awk '!$4 && $2 > 1e-8 { exit 1 }' pressures || fail "another solution has been loosened"
 }
 
-property lastExchange "before the final corrector there is an exchange, whatever the policy"
-lastExchange()
+property lastIteration "before the final outer corrector there is a coupling iteration, whatever the interval"
+lastIteration()
 {
     neverConverge
     coupling onUnconverged warn
-    coupling exchange interval
-    coupling exchangeInterval 4
+    coupling couplingInterval 4
     runFluid
     # Correctors 4, 5 and the final one of 6
-    expectEqual "exchanges" "$(steps record | cut -d ' ' -f 3,4 | sort -u)" "3 1"
+    expectEqual "coupling iterations" "$(steps record | cut -d ' ' -f 3,4 | sort -u)" "3 1"
 }
 
 property rows "the coupling's table has one row a step"
@@ -230,7 +228,7 @@ writeTimes()
     entry system/controlDict writeInterval 0.02
     runFluid
     expectEqual "steps that write" "$(steps record | awk '$5 == 1 { printf "%.6g ", $1 }')" "0.02 0.04 "
-    expectEqual "final exchanges that write" \
+    expectEqual "final iterations that write" \
         "$(awk '$1 == "forces" && $4 == 1 { print $3 }' record | sort -u)" 1
 }
 
@@ -281,8 +279,8 @@ explicit()
     removeEntry system/fvSolution PIMPLE.moveMeshOuterCorrectors
     removeEntry system/fvSolution PIMPLE.residualControl
     runFluid
-    expectText log.pimpleFoam "explicit coupling, one exchange a step"
-    expectEqual "exchanges a step" "$(steps record | cut -d ' ' -f 3,4 | sort -u)" "1 1"
+    expectText log.pimpleFoam "explicit coupling, one coupling iteration per time step"
+    expectEqual "coupling iterations per step" "$(steps record | cut -d ' ' -f 3,4 | sort -u)" "1 1"
     expectEqual "rows" "$(table | wc -l)" 3
 }
 
@@ -299,10 +297,10 @@ abort()
 {
     neverConverge
     runFaultyFluid
-    expectText log.pimpleFoam "time 0.01 s did not converge in 6 correctors: coupling residual 1 (tolerance 0.0001)" \
+    expectText log.pimpleFoam "time 0.01 s did not converge in 6 outer correctors: coupling residual 1 (tolerance 0.0001)" \
         "Raise nOuterCorrectors" "'onUnconverged warn'"
-    expectText log.igaStructure "the fluid ended: time 0.01 s did not converge in 6 correctors"
-    expectEqual "final exchanges" "$(steps record | cut -d ' ' -f 4)" 0
+    expectText log.igaStructure "the fluid ended: time 0.01 s did not converge in 6 outer correctors"
+    expectEqual "final iterations" "$(steps record | cut -d ' ' -f 4)" 0
 }
 
 property warn "a step that does not converge is accepted by the option warn, and warned of"
@@ -311,8 +309,8 @@ warn()
     neverConverge
     coupling onUnconverged warn
     runFluid
-    expectText log.pimpleFoam "time 0.03 s did not converge in 6 correctors" "accepted all the same, by 'onUnconverged warn'"
-    expectEqual "exchanges" "$(steps record | cut -d ' ' -f 3,4 | sort -u)" "6 1"
+    expectText log.pimpleFoam "time 0.03 s did not converge in 6 outer correctors" "accepted nevertheless, by 'onUnconverged warn'"
+    expectEqual "coupling iterations" "$(steps record | cut -d ' ' -f 3,4 | sort -u)" "6 1"
     expectEqual "converged" "$(table | awk '{ print $7 }' | sort -u)" 0
 }
 
@@ -323,7 +321,7 @@ unconvergedFlow()
     entry system/fvSolution PIMPLE.nOuterCorrectors 3
     entry system/fvSolution PIMPLE.residualControl.U.tolerance 1e-9
     runFaultyFluid
-    expectText log.pimpleFoam "time 0.01 s did not converge in 3 correctors: coupling residual 0 (tolerance 0.0001)"
+    expectText log.pimpleFoam "time 0.01 s did not converge in 3 outer correctors: coupling residual 0 (tolerance 0.0001)"
 }
 
 property stopped "a run that is stopped early by controlDict ends in good order"

@@ -4,7 +4,7 @@
 #include "Pstream.H"
 #include "HashSet.H"
 #include "OSspecific.H"
-#include "requireKnownEntries.H"
+#include "dictionaryChecks.H"
 #include "channel/allFinite.hpp"
 #include "channel/readToken.hpp"
 #include "channel/shakeHands.hpp"
@@ -241,7 +241,7 @@ Foam::structureConnection::structureConnection
 
     notice_.reset
     (
-        new endNotice(channel_ ? channel_->fileDescriptor() : -1)
+        new abortNotifier(channel_ ? channel_->fileDescriptor() : -1)
     );
 
     const scalar silence =
@@ -316,6 +316,11 @@ tokay::coupling::Displacements Foam::structureConnection::exchange
             if (displacements.state != State::rejected)
             {
                 checkDisplacements(displacements.values, nValues_);
+            }
+            else if (displacements.reason.empty())
+            {
+                displacements.reason =
+                    "the structure has no solution, and gives no reason";
             }
         }
     );

@@ -194,7 +194,9 @@ std::string Foam::structureProcess::end(const double seconds)
         how = "ended with status " + std::to_string(WEXITSTATUS(status_));
     }
 
-    return how.empty() ? how : "the structure " + how + "; its log: " + logFile_;
+    return how.empty()
+      ? how
+      : "the structure " + how + "; its log: " + logFile_;
 }
 
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "structureCoupling.H"
 #include "couplingSession.H"
-#include "exchangeHook.H"
+#include "couplingFvOption.H"
 #include "fvOptions.H"
-#include "requireKnownEntries.H"
+#include "dictionaryChecks.H"
 #include "timeControlFunctionObject.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -46,9 +46,9 @@ void Foam::functionObjects::structureCoupling::writeFileHeader()
     (
         const char* column
       : {
-            "deltaT[s]", "correctors", "exchanges", "couplingResidual",
-            "momentumResidual", "converged", "step[s]", "force[s]",
-            "exchange[s]"
+            "deltaT[s]", "outerCorrectors", "couplingIterations",
+            "couplingResidual", "momentumResidual", "converged", "step[s]",
+            "force[s]", "structure[s]"
         }
     )
     {
@@ -110,11 +110,9 @@ Foam::functionObjects::structureCoupling::structureCoupling
         dict,
         {
             "patches", "rho", "pRef", "viscous", "p", "U", "onUnconverged",
-            "retry",
-            "exchange", "exchangeInterval", "innerTolerances",
-            "conservationLimit",
-            "structure",
-            // Those of any function object
+            "retry", "couplingInterval", "pressureTolerance",
+            "conservationLimit", "structure",
+            // Entries of any function object
             "type", "libs", "functionObjectLibs", "enabled", "log", "region",
             "writePrecision", "writeToFile", "useUserTime"
         }
@@ -134,7 +132,7 @@ Foam::functionObjects::structureCoupling::structureCoupling
     couplingSession& session = regIOobject::store(created.ptr());
 
     fv::optionList& options = fv::options::New(mesh_);
-    options.append(new fv::exchangeHook(session, mesh_));
+    options.append(new fv::couplingFvOption(session, mesh_));
 
     if (Pstream::master())
     {
@@ -156,17 +154,17 @@ bool Foam::functionObjects::structureCoupling::read(const dictionary& dict)
 
 bool Foam::functionObjects::structureCoupling::execute()
 {
-    const couplingSession::statistics step(session().endTimeStep());
+    const stepController::statistics& step = session().endTimeStep();
 
     if (Pstream::master())
     {
         Ostream& os = file();
         writeCurrentTime(os);
-        os  << tab << step.deltaT << tab << step.correctors
-            << tab << step.exchanges << tab << step.residual
+        os  << tab << step.deltaT << tab << step.outerCorrectors
+            << tab << step.couplingIterations << tab << step.residual
             << tab << step.fluidResidual << tab << step.converged
             << tab << step.stepSeconds << tab << step.forceSeconds
-            << tab << step.exchangeSeconds << endl;
+            << tab << step.structureSeconds << endl;
     }
     if (const conservationAudit* audit = session().audit())
     {

@@ -14,7 +14,7 @@ const Foam::FixedList<Foam::word, 4> quantities
     "force", "moment", "power", "sweptVolume"
 });
 
-//- Why the two sides may differ in it
+//- Reason for a difference between the two sides
 const char* reason(const Foam::word& quantity)
 {
     if (quantity == "force")
@@ -108,7 +108,7 @@ void Foam::conservationAudit::warn
             << " of the interface differs between fluid and structure by "
             << difference << " (conservationLimit " << limit_ << "): "
             << reason(quantity) << nl
-            << "    Not said again; every step is in conservation.dat" << endl;
+            << "    reported once; conservation.dat has every step" << endl;
     }
 }
 

@@ -4,7 +4,33 @@
 #include "turbulentTransportModel.H"
 #include "turbulentFluidThermoModel.H"
 
+#include <cmath>
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::word Foam::interfaceForce::findPressure
+(
+    const fvMesh& mesh,
+    const dictionary& dict
+)
+{
+    const word pName(dict.lookupOrDefault<word>("p", "p"));
+    const word UName(dict.lookupOrDefault<word>("U", "U"));
+    if
+    (
+        !mesh.foundObject<volScalarField>(pName)
+     || !mesh.foundObject<volVectorField>(UName)
+    )
+    {
+        FatalIOErrorInFunction(dict)
+            << "no pressure field '" << pName << "' or no velocity field '"
+            << UName << "' in this solver; name them by the entries 'p' and "
+            << "'U'. There are: " << mesh.sortedNames<volScalarField>() << ' '
+            << mesh.sortedNames<volVectorField>() << exit(FatalIOError);
+    }
+    return pName;
+}
+
 
 Foam::tmp<Foam::scalarField> Foam::interfaceForce::viscosity
 (
@@ -52,29 +78,13 @@ Foam::interfaceForce::interfaceForce
 )
 :
     mesh_(mesh),
-    pName_(dict.lookupOrDefault<word>("p", "p")),
     UName_(dict.lookupOrDefault<word>("U", "U")),
-    kinematic_(false),
+    pressure_(mesh, findPressure(mesh, dict)),
+    kinematic_(pressure_.solverField().dimensions() != dimPressure),
     rho_(1),
     pRef_(dict.lookupOrDefault<scalar>("pRef", 0)),
     viscous_(dict.lookupOrDefault("viscous", true))
 {
-    if
-    (
-        !mesh.foundObject<volScalarField>(pName_)
-     || !mesh.foundObject<volVectorField>(UName_)
-    )
-    {
-        FatalIOErrorInFunction(dict)
-            << "no pressure field '" << pName_ << "' or no velocity field '"
-            << UName_ << "' in this solver; name them by the entries 'p' and "
-            << "'U'. There are: " << mesh.sortedNames<volScalarField>() << ' '
-            << mesh.sortedNames<volVectorField>() << exit(FatalIOError);
-    }
-
-    kinematic_ =
-        mesh.lookupObject<volScalarField>(pName_).dimensions() != dimPressure;
-
     if (kinematic_)
     {
         rho_ = dict.get<scalar>("rho");
@@ -95,7 +105,7 @@ Foam::vectorField Foam::interfaceForce::operator()
     const labelList& patches
 ) const
 {
-    const volScalarField& p = mesh_.lookupObject<volScalarField>(pName_);
+    const List<scalarField> p(pressure_(patches));
 
     tmp<volTensorField> gradU;
     if (viscous_)
@@ -104,10 +114,11 @@ Foam::vectorField Foam::interfaceForce::operator()
     }
 
     DynamicList<vector> forces;
-    for (const label patchi : patches)
+    forAll(patches, i)
     {
+        const label patchi = patches[i];
         const vectorField& Sf = mesh_.Sf().boundaryField()[patchi];
-        vectorField force(Sf*(rho_*p.boundaryField()[patchi] - pRef_));
+        vectorField force(Sf*(rho_*p[i] - pRef_));
         if (viscous_)
         {
             force -=
@@ -121,6 +132,45 @@ Foam::vectorField Foam::interfaceForce::operator()
     }
 
     return vectorField(std::move(forces));
+}
+
+
+Foam::string Foam::interfaceForce::describeNonFinite
+(
+    const labelList& patches,
+    const vectorField& forces
+) const
+{
+    List<string> texts(Pstream::nProcs());
+    string& own = texts[Pstream::myProcNo()];
+    label facei = 0;
+    for (const label patchi : patches)
+    {
+        for (const point& centre : mesh_.boundary()[patchi].Cf())
+        {
+            const vector& force = forces[facei++];
+            if (own.empty() && !std::isfinite(cmptSum(force)))
+            {
+                OStringStream os;
+                os  << "the fluid's force is not finite: " << force
+                    << " N on patch '" << mesh_.boundary()[patchi].name()
+                    << "' at " << centre << ", time "
+                    << mesh_.time().timeName()
+                    << " s. The flow has diverged";
+                own = os.str();
+            }
+        }
+    }
+    Pstream::gatherList(texts);
+    Pstream::scatterList(texts);
+    for (const string& text : texts)
+    {
+        if (!text.empty())
+        {
+            return text;
+        }
+    }
+    return string();
 }
 
 

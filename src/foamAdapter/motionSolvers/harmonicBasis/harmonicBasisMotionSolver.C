@@ -3,7 +3,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "clockTime.H"
 #include "pointConstraints.H"
-#include "requireKnownEntries.H"
+#include "dictionaryChecks.H"
 #include "StringStream.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //

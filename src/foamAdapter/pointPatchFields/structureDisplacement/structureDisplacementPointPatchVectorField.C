@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "structureDisplacementPointPatchVectorField.H"
-#include "couplingSession.H"
+#include "displacementSource.H"
 #include "addToRunTimeSelectionTable.H"
 #include "pointPatchFields.H"
 
@@ -14,8 +14,9 @@ void Foam::structureDisplacementPointPatchVectorField::updateCoeffs()
     }
 
     const fvMesh& mesh = refCast<const fvMesh>(internalField().mesh()());
-    couplingSession* session = couplingSession::find(mesh, patch().index());
-    if (!session)
+    displacementSource* const source =
+        displacementSource::find(mesh, patch().index());
+    if (!source)
     {
         FatalErrorInFunction
             << "patch '" << patch().name() << "' has the condition '" << type()
@@ -23,7 +24,7 @@ void Foam::structureDisplacementPointPatchVectorField::updateCoeffs()
             << "    add one with this patch to system/controlDict"
             << exit(FatalError);
     }
-    operator==(session->displacement(patch().index()));
+    operator==(source->displacement(patch().index()));
 
     base::updateCoeffs();
 }

@@ -41,8 +41,8 @@ Foam::scalar Foam::couplingResidual::readTolerance() const
     if (!controls.lookupOrDefault("moveMeshOuterCorrectors", false))
     {
         FatalIOErrorInFunction(controls)
-            << "'moveMeshOuterCorrectors' is off: the structure could not "
-            << "answer within a time step" << nl
+            << "'moveMeshOuterCorrectors' is off: the mesh could not follow "
+            << "the structure within a time step" << nl
             << "    add 'moveMeshOuterCorrectors yes;'" << exit(FatalIOError);
     }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fluidSnapshot.H"
-#include "keepRates.H"
+#include "crankNicolsonRates.H"
 #include "pointFields.H"
 #include "surfaceFields.H"
 #include "volFields.H"
@@ -17,7 +17,7 @@ void Foam::fluidSnapshot::save
     {
         // Old times are saved with their field. Those of a rate are there for
         // its time index, by which the repeated step evaluates it again
-        const bool isRate = keepRates::isRate(name);
+        const bool isRate = crankNicolsonRates::isRate(name);
         if (isRate || !name.ends_with("_0"))
         {
             saved.emplace_back

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stepRetry.H"
-#include "requireKnownEntries.H"
+#include "dictionaryChecks.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -28,11 +28,11 @@ Foam::stepRetry::stepRetry(const dictionary& dict, const fvMesh& mesh)
     mesh_(mesh),
     time_(const_cast<Time&>(mesh.time())),
     deltaT_(time_.deltaTValue()),
-    smallestDeltaT_
+    minDeltaT_
     (
         dict.subOrEmptyDict("retry").getCheckOrDefault<scalar>
         (
-            "smallestDeltaT",
+            "minDeltaT",
             1e-3*deltaT_,
             scalarMinMax::ge(SMALL*deltaT_)
         )
@@ -43,7 +43,7 @@ Foam::stepRetry::stepRetry(const dictionary& dict, const fvMesh& mesh)
     nDone_(0),
     nGood_(0)
 {
-    requireKnownEntries(dict.subOrEmptyDict("retry"), {"smallestDeltaT"});
+    requireKnownEntries(dict.subOrEmptyDict("retry"), {"minDeltaT"});
 }
 
 
@@ -91,7 +91,7 @@ void Foam::stepRetry::endTimeStep()
 
 bool Foam::stepRetry::isPossible() const
 {
-    return shorterDeltaT() >= smallestDeltaT_*(1 - SMALL);
+    return shorterDeltaT() >= minDeltaT_*(1 - SMALL);
 }
 
 

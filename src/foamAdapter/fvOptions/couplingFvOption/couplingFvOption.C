@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "exchangeHook.H"
+#include "couplingFvOption.H"
 #include "couplingSession.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -8,7 +8,7 @@ namespace Foam
 {
 namespace fv
 {
-    defineTypeNameAndDebug(exchangeHook, 0);
+    defineTypeNameAndDebug(couplingFvOption, 0);
 }
 }
 
@@ -17,14 +17,14 @@ namespace fv
 namespace
 {
 
-//- What an fvOption wants to find in its dictionary
-Foam::dictionary hookDict()
+//- Entries that an fvOption expects in its dictionary
+Foam::dictionary optionDict()
 {
     Foam::dictionary dict;
     dict.add("active", true);
     dict.add
     (
-        Foam::word(Foam::fv::exchangeHook::typeName + "Coeffs"),
+        Foam::word(Foam::fv::couplingFvOption::typeName + "Coeffs"),
         Foam::dictionary()
     );
     return dict;
@@ -34,13 +34,13 @@ Foam::dictionary hookDict()
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::fv::exchangeHook::exchangeHook
+Foam::fv::couplingFvOption::couplingFvOption
 (
     const couplingSession& session,
     const fvMesh& mesh
 )
 :
-    option(session.name(), typeName, hookDict(), mesh),
+    option(session.name(), typeName, optionDict(), mesh),
     sessionName_(session.name())
 {
     fieldNames_.setSize(1, session.UName());
@@ -50,19 +50,9 @@ Foam::fv::exchangeHook::exchangeHook
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::fv::exchangeHook::correct(volVectorField&)
+void Foam::fv::couplingFvOption::correct(volVectorField&)
 {
-    couplingSession& session =
-        mesh_.lookupObjectRef<couplingSession>(sessionName_);
-    session.endVelocitySolution();
-
-    const pimpleControl& pimple =
-        mesh_.lookupObject<pimpleControl>("solutionControl");
-
-    if (pimple.corrPISO() == pimple.nCorrPISO())
-    {
-        session.endCorrector();
-    }
+    mesh_.lookupObjectRef<couplingSession>(sessionName_).endVelocityCorrection();
 }
 
 

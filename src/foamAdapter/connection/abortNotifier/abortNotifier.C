@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endNotice.H"
+#include "abortNotifier.H"
 #include "channel/encoding.hpp"
 
 #include <array>
@@ -17,11 +17,11 @@
 namespace
 {
 
-//- A signal: what is said of it, ready for use, and who handled it before
+//- A signal, its prepared messages, and the previous handler
 struct notice
 {
     int signal;
-    std::string line;   // empty where others say it: OpenFOAM, the library
+    std::string line;   // empty where OpenFOAM or the library reports it
     tokay::coupling::Bytes frame;
     struct sigaction before;
 };
@@ -31,10 +31,10 @@ std::array<notice, 5> notices;
 //- Sockets to structures, one for each coupling of this process
 std::array<std::atomic<int>, 16> sockets;
 
-//- Number of objects
+//- Number of abortNotifier objects
 int nNotices = 0;
 
-//- Whether this process is the one that speaks for all ranks
+//- Whether this process is connected to a structure: the master
 bool hasStructure()
 {
     for (const std::atomic<int>& socket : sockets)
@@ -47,8 +47,8 @@ bool hasStructure()
     return false;
 }
 
-//- Calls only what a signal handler may call
-void tellStructures(const tokay::coupling::Bytes& frame)
+//- Send a frame to all structures. Async-signal-safe
+void notifyStructures(const tokay::coupling::Bytes& frame)
 {
     for (const std::atomic<int>& socket : sockets)
     {
@@ -62,7 +62,7 @@ void tellStructures(const tokay::coupling::Bytes& frame)
     }
 }
 
-//- Likewise
+//- Signal handler: report, then call the previous handler
 extern "C" void notify(const int signal)
 {
     const int error = errno;
@@ -78,7 +78,7 @@ extern "C" void notify(const int signal)
                 write(STDERR_FILENO, n.line.data(), n.line.size());
             static_cast<void>(ignored);
         }
-        tellStructures(n.frame);
+        notifyStructures(n.frame);
         sigaction(signal, &n.before, nullptr);
         raise(signal);
     }
@@ -87,7 +87,7 @@ extern "C" void notify(const int signal)
 
 void notifyOfExit()
 {
-    tellStructures
+    notifyStructures
     (
         tokay::coupling::encodeFrame
         (
@@ -99,17 +99,17 @@ void notifyOfExit()
     );
 }
 
-//- Words for a signal, and the handler in its place
+//- Prepare the messages of a signal and install the handler
 void install
 (
     notice& n,
     const int signal,
     const std::string& what,
-    const bool speaks
+    const bool reports
 )
 {
     n.signal = signal;
-    if (speaks)
+    if (reports)
     {
         n.line =
             "\nstructureCoupling: the run ends here: it was " + what + '\n';
@@ -131,7 +131,7 @@ void install
     sigaction(signal, &action, nullptr);
 }
 
-//- The handlers of before, where they have not been replaced since
+//- Restore the previous handler, unless ours has been replaced
 void uninstall(const notice& n)
 {
     struct sigaction now;
@@ -174,7 +174,7 @@ void installAll()
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::endNotice::endNotice(const int socket)
+Foam::abortNotifier::abortNotifier(const int socket)
 :
     socket_(socket)
 {
@@ -195,7 +195,7 @@ Foam::endNotice::endNotice(const int socket)
 
 // * * * * * * * * * * * * * * * * Destructor  * * * * * * * * * * * * * * * //
 
-Foam::endNotice::~endNotice()
+Foam::abortNotifier::~abortNotifier()
 {
     for (std::atomic<int>& place : sockets)
     {

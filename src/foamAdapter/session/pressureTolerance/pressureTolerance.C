@@ -1,50 +1,50 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "innerTolerances.H"
+#include "pressureTolerance.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-const Foam::Enum<Foam::innerTolerances::choice>
-Foam::innerTolerances::choiceNames
+const Foam::Enum<Foam::pressureTolerance::choice>
+Foam::pressureTolerance::choiceNames
 ({
     {choice::fixed, "fixed"},
-    {choice::tied, "tied"}
+    {choice::relaxed, "relaxed"}
 });
 
 namespace
 {
 
-//- Of the last pressure correction, in pimpleFoam and in its relatives
+//- Solvers of the last pressure corrector, in pimpleFoam and its relatives
 const Foam::wordList names({"pFinal", "p_rghFinal"});
 
-//- Least relative tolerance before the final corrector. The residual that it is
-//  relative to falls from corrector to corrector with that of the coupling.
-constexpr Foam::scalar loose = 0.1;
+//- Relative tolerance before the final outer corrector. The residual that it is
+//  relative to falls with the coupling residual.
+constexpr Foam::scalar relaxedRelTol = 0.1;
 
 } // End anonymous namespace
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::innerTolerances::choice Foam::innerTolerances::readChoice
+Foam::pressureTolerance::choice Foam::pressureTolerance::readChoice
 (
     const dictionary& dict
 )
 {
     const word name
     (
-        dict.getOrDefault<word>("innerTolerances", choiceNames[choice::fixed])
+        dict.getOrDefault<word>("pressureTolerance", choiceNames[choice::fixed])
     );
     if (!choiceNames.found(name))
     {
         FatalIOErrorInFunction(dict)
-            << "'innerTolerances' is '" << name << "': it can be "
-            << choiceNames[choice::fixed] << " or "
-            << choiceNames[choice::tied] << exit(FatalIOError);
+            << "pressureTolerance: " << name << "; allowed: "
+            << choiceNames[choice::fixed] << ", "
+            << choiceNames[choice::relaxed] << exit(FatalIOError);
     }
     return choiceNames[name];
 }
 
 
-Foam::dictionary* Foam::innerTolerances::solvers(const word& name) const
+Foam::dictionary* Foam::pressureTolerance::solvers(const word& name) const
 {
     const dictionary* const present =
         mesh_.solutionDict().findDict("solvers");
@@ -53,13 +53,13 @@ Foam::dictionary* Foam::innerTolerances::solvers(const word& name) const
     {
         return nullptr;
     }
-    // OpenFOAM solves by a private copy of the dictionary, and reads it anew
-    // in each solution
+    // OpenFOAM solves with a private copy of the dictionary, which it reads
+    // before each solution
     return const_cast<dictionary*>(&mesh_.solverDict(name).parent());
 }
 
 
-void Foam::innerTolerances::loosen()
+void Foam::pressureTolerance::relax()
 {
     for (const word& name : names)
     {
@@ -70,11 +70,11 @@ void Foam::innerTolerances::loosen()
         }
         // What the name matches may be a pattern, which other solvers share
         dictionary solver(all->subDict(name));
-        if (solver.getOrDefault<scalar>("relTol", 0) < loose)
+        if (solver.getOrDefault<scalar>("relTol", 0) < relaxedRelTol)
         {
             const entry* const own = all->findEntry(name, keyType::LITERAL);
             own_.set(name, own ? own->clone().ptr() : nullptr);
-            solver.set("relTol", loose);
+            solver.set("relTol", relaxedRelTol);
             // Not set(), which would empty the pattern
             all->remove(name);
             all->add(name, solver);
@@ -83,7 +83,7 @@ void Foam::innerTolerances::loosen()
 }
 
 
-void Foam::innerTolerances::restore()
+void Foam::pressureTolerance::restore()
 {
     forAllIters(own_, iter)
     {
@@ -102,7 +102,7 @@ void Foam::innerTolerances::restore()
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::innerTolerances::innerTolerances
+Foam::pressureTolerance::pressureTolerance
 (
     const dictionary& dict,
     const fvMesh& mesh
@@ -115,25 +115,25 @@ Foam::innerTolerances::innerTolerances
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::innerTolerances::announce() const
+void Foam::pressureTolerance::announce() const
 {
-    if (choice_ == choice::tied)
+    if (choice_ == choice::relaxed)
     {
-        Info<< "    until the final corrector of a step the pressure is solved "
-            << "to relTol " << loose << " (innerTolerances tied)" << endl;
+        Info<< "    pressureTolerance relaxed: relTol " << relaxedRelTol
+            << " until the final outer corrector" << endl;
     }
 }
 
 
-void Foam::innerTolerances::beginCorrector(const bool final)
+void Foam::pressureTolerance::beginCorrector(const bool final)
 {
     if (final)
     {
         restore();
     }
-    else if (choice_ == choice::tied)
+    else if (choice_ == choice::relaxed)
     {
-        loosen();
+        relax();
     }
 }
 

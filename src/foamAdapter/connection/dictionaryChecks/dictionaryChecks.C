@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "requireKnownEntries.H"
+#include "dictionaryChecks.H"
 #include "FlatOutput.H"
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "keepRates.H"
+#include "crankNicolsonRates.H"
 #include "fvcMeshPhi.H"
 #include "surfaceFields.H"
 #include "volFields.H"
@@ -17,7 +17,7 @@ const char* const meshFluxRate = "meshPhiCN_0";
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class GeoField>
-bool Foam::keepRates::keep(regIOobject& rate)
+bool Foam::crankNicolsonRates::keep(regIOobject& rate)
 {
     GeoField* field = dynamic_cast<GeoField*>(&rate);
     if (field && field->nOldTimes() == 0)
@@ -30,7 +30,7 @@ bool Foam::keepRates::keep(regIOobject& rate)
 
 
 template<class Type>
-bool Foam::keepRates::keepAny(regIOobject& rate)
+bool Foam::crankNicolsonRates::keepAny(regIOobject& rate)
 {
     return
         keep<GeometricField<Type, fvPatchField, volMesh>>(rate)
@@ -38,7 +38,7 @@ bool Foam::keepRates::keepAny(regIOobject& rate)
 }
 
 
-void Foam::keepRates::keepMeshFluxes() const
+void Foam::crankNicolsonRates::keepMeshFluxes() const
 {
     const surfaceScalarField& phi = mesh_.phi();
     if (phi.nOldTimes() == 0)
@@ -50,7 +50,11 @@ void Foam::keepRates::keepMeshFluxes() const
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::keepRates::keepRates(const fvMesh& mesh, const word& UName)
+Foam::crankNicolsonRates::crankNicolsonRates
+(
+    const fvMesh& mesh,
+    const word& UName
+)
 :
     mesh_(mesh),
     UName_(UName)
@@ -65,7 +69,7 @@ Foam::keepRates::keepRates(const fvMesh& mesh, const word& UName)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::keepRates::isRate(const word& name)
+bool Foam::crankNicolsonRates::isRate(const word& name)
 {
     return
         name == meshFluxRate
@@ -76,7 +80,7 @@ bool Foam::keepRates::isRate(const word& name)
 }
 
 
-void Foam::keepRates::beginTimeStep()
+void Foam::crankNicolsonRates::beginTimeStep()
 {
     const Time& runTime = mesh_.time();
 
@@ -106,7 +110,7 @@ void Foam::keepRates::beginTimeStep()
 }
 
 
-void Foam::keepRates::keepNew() const
+void Foam::crankNicolsonRates::keepNew() const
 {
     if (mesh_.foundObject<surfaceScalarField>(meshFluxRate))
     {
