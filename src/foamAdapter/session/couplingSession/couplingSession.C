@@ -170,6 +170,21 @@ void Foam::couplingSession::beginTimeStep()
 }
 
 
+void Foam::couplingSession::refuseMesh(const string& cells)
+{
+    if (!retry_.valid())
+    {
+        structure_.fail
+        (
+            cells + ". Reduce deltaT, repeat such steps with a shorter one by "
+            "'onUnconverged retry', or choose another mesh motion or diffusivity"
+        );
+    }
+    failure_ = cells;
+    retry_->endureTimeStep();
+}
+
+
 void Foam::couplingSession::checkForces(const vectorField& forces)
 {
     string error;
@@ -417,6 +432,12 @@ Foam::couplingSession::couplingSession
     audited_(false),
     pointDisplacement_(findPointDisplacement()),
     structure_(dict, mesh.time()),
+    invertedCells_
+    (
+        registryName(name) + "InvertedCells",
+        mesh,
+        [this](const string& cells){ refuseMesh(cells); }
+    ),
     timeIndex_(-1),
     corrector_(0),
     exchangeCorrector_(0),
@@ -510,6 +531,10 @@ void Foam::couplingSession::endCorrector()
     if (pimple_.finalIter())
     {
         endLastCorrector();
+    }
+    else if (!failure_.empty())
+    {
+        residual_.endLoop();
     }
     else if (exchangeIsDue())
     {
