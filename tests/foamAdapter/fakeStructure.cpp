@@ -169,7 +169,7 @@ class Structure {
             displacements.reason = "no solution, as told";
         }
         if (behaves("sway") || behaves("creeps") || behaves("rejects") || behaves("rejectsLast") ||
-            behaves("convergesShort")) {
+            behaves("convergesShort") || behaves("leaps")) {
             sway(displacements.values);
         }
         if (behaves("nan") && exchange_ > 0) {
@@ -183,10 +183,12 @@ class Structure {
     }
 
     /// Shear in x, proportional to the last coordinate; with "creeps" each
-    /// exchange of a step adds to it, the last one too.
+    /// exchange of a step adds to it, the last one too; with "leaps" steps longer
+    /// than 0.006 s end far away.
     void sway(std::vector<double>& values) const {
         const double amplitude =
-            0.05 * std::sin(20 * time_) * (behaves("creeps") ? 1 - std::pow(0.5, exchange_) : 1);
+            0.05 * std::sin(20 * time_) * (behaves("creeps") ? 1 - std::pow(0.5, exchange_) : 1) +
+            (behaves("leaps") && deltaT_ > 0.006 ? 5 : 0);
         for (std::size_t i = 0; i < values.size(); i += interface_.dimension) {
             values[i] = amplitude * interface_.points[i + interface_.dimension - 1];
         }

@@ -116,6 +116,15 @@ last()
     expectSameRun "0.01 0.02 0.03 "
 }
 
+property inverted "so is a step whose mesh motion inverts cells"
+inverted()
+{
+    makeBoth leaps
+    inBoth runFluid
+    expectSameRun "0.01 0.02 0.03 "
+    expectText long/log.pimpleFoam "cells without a positive volume at time 0.01 s: cell" "with deltaT 0.005 s"
+}
+
 property backward "so it is with the scheme backward, whose old times are taken back too"
 backward()
 {

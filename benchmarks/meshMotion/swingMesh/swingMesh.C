@@ -13,8 +13,9 @@ Description
     which leaves out the moves that build something, and of the points' the
     longest too.
 
-    Entries of system/swingMeshDict: those of bentAxis; patch; amplitudes [m];
-    stepsASwing; movesAStep, all to the same place, as a coupled step has them;
+    Entries of system/swingMeshDict: shape (bentAxis, squeeze) and the entries
+    of that class; patch; amplitudes [m]; stepsASwing; movesAStep, all to the
+    same position, as a coupled step has them;
     reference, which is 0: the motion of the tip [m] at which the mesh is made
     the motion's reference.
 
@@ -29,6 +30,7 @@ Description
 #include "motionSolver.H"
 #include "pointFields.H"
 #include "primitiveMeshTools.H"
+#include "squeeze.H"
 #include "surfaceFields.H"
 #include "Time.H"
 #include "unitConversion.H"
@@ -36,6 +38,7 @@ Description
 
 #include <algorithm>
 #include <ctime>
+#include <functional>
 #include <vector>
 
 using namespace Foam;
@@ -107,6 +110,21 @@ static fixedValuePointPatchVectorField& displacementOf
 }
 
 
+//- Displacement of points at rest by an amplitude
+using motionShape =
+    std::function<vectorField(const pointField&, const scalar amplitude)>;
+
+
+template<class Shape>
+static motionShape shapeOf(const dictionary& dict)
+{
+    return [shape = Shape(dict)](const pointField& points, const scalar size)
+    {
+        return shape.displacement(points, size);
+    };
+}
+
+
 //- The same motion solver with the mesh as it is for its reference
 static autoPtr<displacementMotionSolver> beginHere
 (
@@ -159,7 +177,12 @@ int main(int argc, char *argv[])
     (
         IOobject("swingMeshDict", runTime.system(), mesh, IOobject::MUST_READ)
     );
-    const bentAxis axis(dict);
+    const motionShape displacementAt
+    (
+        dict.getOrDefault<word>("shape", "bentAxis") == "squeeze"
+      ? shapeOf<squeeze>(dict)
+      : shapeOf<bentAxis>(dict)
+    );
     const label patchi =
         mesh.boundaryMesh().findPatchID(dict.get<word>("patch"));
     const label nSteps = dict.get<label>("stepsASwing");
@@ -173,7 +196,7 @@ int main(int argc, char *argv[])
     const scalarField volumesAtRest(mesh.V().field());
 
     const scalar reference = dict.getOrDefault<scalar>("reference", 0);
-    const vectorField atReference(axis.displacement(places, reference));
+    const vectorField atReference(displacementAt(places, reference));
     if (reference != 0)
     {
         ++runTime;
@@ -196,7 +219,7 @@ int main(int argc, char *argv[])
             ++runTime;
             const scalar phase = constant::mathematical::twoPi*step/nSteps;
             *condition ==
-                axis.displacement(places, amplitude*Foam::sin(phase))
+                displacementAt(places, amplitude*Foam::sin(phase))
               - atReference;
             for (label move = 0; move < nMoves; ++move)
             {

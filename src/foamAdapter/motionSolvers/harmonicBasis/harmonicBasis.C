@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "harmonicBasis.H"
-#include "harmonicExtension.H"
 #include "bitSet.H"
 #include "twoDPointCorrector.H"
 
@@ -9,11 +8,11 @@
 namespace Foam
 {
 
-//- Points that take less of a translation of the boundary do not turn with it
-//  (they would by less than the fourth power of this)
-constexpr scalar leastShare = 0.01;
+//- Points that take a smaller fraction of a translation of the boundary do not
+//  turn with it (they would by less than the fourth power of this)
+constexpr scalar minFraction = 0.01;
 
-//- What a rotation changes of a vector (Rodrigues)
+//- Change of a vector by a rotation (Rodrigues)
 //  \param angle  along the axis, of the angle's length [rad]
 static vector turned(const vector& v, const vector& angle)
 {
@@ -57,28 +56,19 @@ void Foam::harmonicBasis::pairPoints()
 }
 
 
-void Foam::harmonicBasis::extend
-(
-    const pointField& points0,
-    Istream& diffusivity
-)
+void Foam::harmonicBasis::extend(const harmonicExtension& extension)
 {
-    const harmonicExtension extension
-    (
-        boundary_.mesh(),
-        points0,
-        boundary_.pointDisplacement(),
-        boundary_.patches(),
-        diffusivity
-    );
-    cellHeight_ = extension.firstCellHeight();
-    W_.setSize(functions_.size());
+    W_ = List<List<scalarField>>(sets_.size(), List<scalarField>(size()));
     scalarField onPoints(boundary_.mesh().nPoints(), Zero);
-    forAll(W_, function)
+    forAll(sets_, set)
     {
-        UIndirectList<scalar>(onPoints, boundary_.points()) =
-            functions_.values(function);
-        W_[function] = scalarField(extension.extend(onPoints), rows_);
+        const auto conditions(constraints_.conditions(sets_[set].odd));
+        forAll(W_[set], function)
+        {
+            UIndirectList<scalar>(onPoints, boundary_.points()) =
+                functions_.values(function);
+            W_[set][function] = extendedRows(extension, onPoints, conditions);
+        }
     }
 }
 
@@ -86,62 +76,86 @@ void Foam::harmonicBasis::extend
 void Foam::harmonicBasis::keepMovingRows()
 {
     bitSet moves(rows_.size());
-    for (const scalarField& values : W_)
+    for (const List<scalarField>& ofSet : W_)
     {
-        forAll(values, row)
+        for (const scalarField& values : ofSet)
         {
-            if (values[row] != 0)
+            forAll(values, row)
             {
-                moves.set(row);
+                if (values[row] != 0)
+                {
+                    moves.set(row);
+                }
             }
         }
     }
     const labelList kept(moves.sortedToc());
     rows_ = labelList(UIndirectList<label>(rows_, kept));
-    for (scalarField& values : W_)
+    for (List<scalarField>& ofSet : W_)
     {
-        values = scalarField(values, kept);
+        for (scalarField& values : ofSet)
+        {
+            values = scalarField(values, kept);
+        }
     }
 }
 
 
-Foam::vectorField Foam::harmonicBasis::product
+Foam::scalarField Foam::harmonicBasis::extendedRows
 (
-    const vectorField& ofFunctions
+    const harmonicExtension& extension,
+    const scalarField& onPoints,
+    const List<harmonicExtension::condition>& conditions
 ) const
 {
-    vectorField sums(rows_.size(), Zero);
-    forAll(W_, function)
-    {
-        const scalarField& values = W_[function];
-        const vector& factor = ofFunctions[function];
-        forAll(values, row)
-        {
-            sums[row] += values[row]*factor;
-        }
-    }
-    return sums;
+    return scalarField(extension.extend(onPoints, conditions), rows_);
 }
 
 
-void Foam::harmonicBasis::setOffsets(const pointField& points0)
+void Foam::harmonicBasis::setOffsets
+(
+    const harmonicExtension& extension,
+    const pointField& points0
+)
 {
-    const vectorField ones(size(), vector::uniform(1));
-    const scalarField shares(product(ones).component(vector::X));
-    const vectorField feet(product(functions_.controlPoints()));
-    offsets_ = boundary_.inPlane(vectorField(points0, rows_));
-    forAll(offsets_, row)
+    const scalarField ones(points0.size(), 1);
+    const scalarField fractions
+    (
+        extendedRows
+        (
+            extension,
+            ones,
+            constraints_.conditions(FixedList<bool, 3>(false))
+        )
+    );
+    fades_ = pow3(fractions);
+    offsets_ = vectorField(rows_.size(), Zero);
+    for (direction axis = 0; axis < vector::nComponents; ++axis)
     {
-        if (shares[row] > leastShare)
+        if (!constraints_.isUsed(axis))
         {
-            offsets_[row] -= feet[row]/shares[row];
+            continue;
         }
-        else
+        const auto conditions(constraints_.conditionsOfCoordinate(axis));
+        const boolList isGiven(constraints_.coordinateIsGiven(axis));
+        const scalarField coordinate
+        (
+            (constraints_.frame() & points0)().component(axis)
+        );
+        const scalarField feet
+        (
+            extendedRows(extension, coordinate, conditions)
+        );
+        const scalarField weights(extendedRows(extension, ones, conditions));
+        forAll(rows_, row)
         {
-            offsets_[row] = Zero;
+            if (fractions[row] > minFraction && !isGiven[rows_[row]])
+            {
+                offsets_[row][axis] =
+                    coordinate[rows_[row]] - feet[row]/weights[row];
+            }
         }
     }
-    fades_ = pow3(shares);
 }
 
 
@@ -150,13 +164,17 @@ void Foam::harmonicBasis::setOffsets(const pointField& points0)
 Foam::scalar Foam::harmonicBasis::memory
 (
     const movingBoundary& boundary,
-    const label n
+    const motionConstraints& constraints,
+    const label n,
+    const bool rotation
 )
 {
     const fvMesh& mesh = boundary.mesh();
-    const scalar rows = mesh.nPoints()/(mesh.nGeometricD() == 2 ? 2 : 1);
-    const scalar values = rows + boundary.points().size() + 2*scalar(n);
-    return returnReduce(sizeof(scalar)*n*values, maxOp<scalar>());
+    const scalar nRows = mesh.nPoints()/(mesh.nGeometricD() == 2 ? 2 : 1);
+    const scalar nNumbers =
+        constraints.sets(rotation).size()*n*nRows
+      + interfaceFunctions::nNumbers(boundary.points().size(), n, rotation);
+    return returnReduce(sizeof(scalar)*nNumbers, maxOp<scalar>());
 }
 
 
@@ -165,6 +183,7 @@ Foam::scalar Foam::harmonicBasis::memory
 Foam::harmonicBasis::harmonicBasis
 (
     const movingBoundary& boundary,
+    const motionConstraints& constraints,
     const pointField& points0,
     const label n,
     Istream& diffusivity,
@@ -172,15 +191,25 @@ Foam::harmonicBasis::harmonicBasis
 )
 :
     boundary_(boundary),
-    functions_(boundary.places(points0), boundary.areas(points0), n),
-    rotation_(rotation)
+    constraints_(constraints),
+    functions_
+    (
+        boundary.places(points0),
+        boundary.areas(points0),
+        n,
+        rotation
+    ),
+    rotation_(rotation),
+    sets_(constraints.sets(rotation))
 {
+    const harmonicExtension extension(boundary.mesh(), points0, diffusivity);
+    cellHeight_ = extension.firstCellHeight(boundary.patches());
     pairPoints();
-    extend(points0, diffusivity);
+    extend(extension);
     keepMovingRows();
     if (rotation_)
     {
-        setOffsets(points0);
+        setOffsets(extension, points0);
     }
 }
 
@@ -190,13 +219,20 @@ Foam::harmonicBasis::harmonicBasis
 void Foam::harmonicBasis::writeSize(Ostream& os) const
 {
     const label nBoundary = boundary_.points().size();
-    const scalar values = scalar(size())*(rows_.size() + nBoundary);
+    const scalar nNumbers =
+        scalar(size())*(sets_.size()*rows_.size() + nBoundary)
+      + (rotation_ ? 2*sqr(scalar(size())) : 0);
     os  << size() << " functions for "
         << returnReduce(nBoundary, sumOp<label>()) << " boundary points, "
         << returnReduce(rows_.size(), sumOp<label>()) << " of "
         << returnReduce(boundary_.mesh().nPoints(), sumOp<label>())
-        << " points move, "
-        << returnReduce(sizeof(scalar)*values, maxOp<scalar>())/1e6
+        << " points move, ";
+    if (sets_.size() > 1)
+    {
+        os  << "extended in " << sets_.size()
+            << " ways for planes in which the mesh slides, ";
+    }
+    os  << returnReduce(sizeof(scalar)*nNumbers, maxOp<scalar>())/1e6
         << " MB on a rank";
 }
 
@@ -204,45 +240,54 @@ void Foam::harmonicBasis::writeSize(Ostream& os) const
 Foam::scalar Foam::harmonicBasis::fit()
 {
     const vectorField displacement(boundary_.displacement());
-    coefficients_ = functions_.coefficients(displacement);
+    const vectorField atControls(functions_.coefficients(displacement));
+    coefficients_ = constraints_.frame() & atControls;
     if (rotation_)
     {
-        rotations_ = functions_.rotations(coefficients_);
+        rotations_ = constraints_.frame() & functions_.rotations(atControls);
     }
-    return functions_.residual(displacement, coefficients_);
+    return functions_.residual(displacement, atControls);
 }
 
 
 void Foam::harmonicBasis::apply(vectorField& onPoints) const
 {
     vectorField displacement(rows_.size(), Zero);
-    if (rotation_)
+    vectorField angle(rotation_ ? rows_.size() : 0, Zero);
+    forAll(sets_, set)
     {
-        // Both products at once: reading W takes the time
-        vectorField angle(rows_.size(), Zero);
-        forAll(W_, function)
+        forAll(W_[set], function)
         {
-            const scalarField& values = W_[function];
-            const vector& coefficient = coefficients_[function];
-            const vector& rotation = rotations_[function];
+            // Both products at once: reading W takes the time
+            const scalarField& values = W_[set][function];
+            const vector coefficient
+            (
+                cmptMultiply(coefficients_[function], sets_[set].ofDisplacement)
+            );
+            if (!rotation_)
+            {
+                displacement += values*coefficient;
+                continue;
+            }
+            const vector rotation
+            (
+                cmptMultiply(rotations_[function], sets_[set].ofRotation)
+            );
             forAll(values, row)
             {
                 displacement[row] += values[row]*coefficient;
                 angle[row] += values[row]*rotation;
             }
         }
-        forAll(displacement, row)
-        {
-            displacement[row] += turned(offsets_[row], fades_[row]*angle[row]);
-        }
     }
-    else
+    forAll(angle, row)
     {
-        displacement = product(coefficients_);
+        displacement[row] += turned(offsets_[row], fades_[row]*angle[row]);
     }
 
     onPoints = Zero;
-    UIndirectList<vector>(onPoints, rows_) = displacement;
+    UIndirectList<vector>(onPoints, rows_) =
+        (constraints_.frame().T() & displacement)();
     forAll(planePoints_, i)
     {
         onPoints[planePoints_[i]] = onPoints[partners_[i]];

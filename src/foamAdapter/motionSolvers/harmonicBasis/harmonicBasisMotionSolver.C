@@ -33,7 +33,7 @@ namespace Foam
 namespace Foam
 {
 
-//- Of the lowest cell's height: what as many functions as places miss
+//- Fit error of one function for each point, over the smallest cell height
 constexpr scalar roundOff = 1e-6;
 
 } // End namespace Foam
@@ -87,7 +87,8 @@ Foam::string Foam::harmonicBasisMotionSolver::excess(const label wanted) const
     // There are no more functions than points
     const label n =
         min(wanted, returnReduce(boundary_.points().size(), sumOp<label>()));
-    const scalar memory = harmonicBasis::memory(boundary_, n);
+    const scalar memory =
+        harmonicBasis::memory(boundary_, constraints_, n, rotation_);
     if (memory <= memoryLimit_)
     {
         return string();
@@ -116,6 +117,7 @@ Foam::string Foam::harmonicBasisMotionSolver::build(const label n)
             new harmonicBasis
             (
                 boundary_,
+                constraints_,
                 points0(),
                 n,
                 diffusivityStream,
@@ -138,7 +140,7 @@ Foam::string Foam::harmonicBasisMotionSolver::addFunctions
     const scalar allowed
 )
 {
-    const pointField places(boundary_.places(points0()));
+    const pointField points(boundary_.places(points0()));
     const vectorField areas(boundary_.areas(points0()));
     const vectorField displacement(boundary_.displacement());
     label n = basis_->size();
@@ -156,14 +158,14 @@ Foam::string Foam::harmonicBasisMotionSolver::addFunctions
         const string reason
         (
             isComplete
-          ? string("there are no more places on the boundary")
+          ? string("there is one for each point of the boundary")
           : excess(2*n)
         );
         if (!reason.empty())
         {
             return misses.str() + reason;
         }
-        const interfaceFunctions more(places, areas, 2*n);
+        const interfaceFunctions more(points, areas, 2*n, false);
         missed = more.residual(displacement, more.coefficients(displacement));
         n = more.size();
         isComplete = more.isComplete();
@@ -180,7 +182,11 @@ Foam::string Foam::harmonicBasisMotionSolver::addFunctions
 
 Foam::string Foam::harmonicBasisMotionSolver::follow()
 {
-    string reason(boundary_.obstacle());
+    string reason(constraints_.obstacle());
+    if (reason.empty())
+    {
+        reason = boundary_.obstacle();
+    }
     if (reason.empty() && !basis_.valid())
     {
         reason = build(nFunctions_);

@@ -1,24 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "harmonicExtension.H"
+#include "calculatedPointPatchFields.H"
 #include "fixedValueFvPatchFields.H"
-#include "fixedValuePointPatchFields.H"
 #include "fvmLaplacian.H"
 #include "fvMatrix.H"
 #include "fvSchemes.H"
 #include "limitedDiffusivity.H"
+#include "pointFields.H"
 #include "pointMesh.H"
-#include "slipPointPatchFields.H"
-#include "volFields.H"
+#include "syncTools.H"
 #include "volPointInterpolation.H"
 #include "zeroGradientFvPatchFields.H"
-#include "calculatedPointPatchFields.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
 
-//- Of the linear solver, relative to the normalised residual: the functions are
+//- Tolerance of the linear solver, for the normalised residual: the functions are
 //  solved once, so there is no reason to save here
 constexpr scalar tightTolerance = 1e-12;
 
@@ -75,47 +74,6 @@ void Foam::harmonicExtension::makeMesh
 }
 
 
-void Foam::harmonicExtension::setConditions
-(
-    const pointVectorField& displacement
-)
-{
-    const fvBoundaryMesh& patches = mesh_->boundary();
-    faceTypes_.setSize(patches.size());
-    pointTypes_.setSize(patches.size());
-    labelHashSet fixedPoints;
-    forAll(patches, patchi)
-    {
-        const pointPatchVectorField& condition =
-            displacement.boundaryField()[patchi];
-        const bool moves = patches_.found(patchi);
-        const bool isFixed =
-            isA<fixedValuePointPatchVectorField>(condition)
-         || isA<slipPointPatchVectorField>(condition);
-        if (polyPatch::constraintType(patches[patchi].type()))
-        {
-            faceTypes_[patchi] = patches[patchi].type();
-            pointTypes_[patchi] = patches[patchi].type();
-        }
-        else if (moves || isFixed)
-        {
-            faceTypes_[patchi] = fixedValueFvPatchScalarField::typeName;
-            pointTypes_[patchi] = fixedValuePointPatchScalarField::typeName;
-        }
-        else
-        {
-            faceTypes_[patchi] = zeroGradientFvPatchScalarField::typeName;
-            pointTypes_[patchi] = calculatedPointPatchScalarField::typeName;
-        }
-        if (isFixed && !moves)
-        {
-            fixedPoints.insert(patches[patchi].patch().meshPoints());
-        }
-    }
-    fixedPoints_ = fixedPoints.sortedToc();
-}
-
-
 void Foam::harmonicExtension::setDiffusivity(Istream& type)
 {
     autoPtr<motionDiffusivity> chosen(motionDiffusivity::New(*mesh_, type));
@@ -123,81 +81,70 @@ void Foam::harmonicExtension::setDiffusivity(Istream& type)
 }
 
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-Foam::harmonicExtension::harmonicExtension
+Foam::volScalarField Foam::harmonicExtension::field
 (
-    const fvMesh& mesh,
-    const pointField& points,
-    const pointVectorField& displacement,
-    const labelList& patches,
-    Istream& diffusivity
-)
-:
-    patches_(patches)
-{
-    makeMesh(mesh, points);
-    setConditions(displacement);
-    setDiffusivity(diffusivity);
-    solver_.add("solver", word("PCG"));
-    solver_.add("preconditioner", word("DIC"));
-    solver_.add("tolerance", tightTolerance);
-    solver_.add("relTol", 0);
-    solver_.add("maxIter", 10000);
-}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::scalar Foam::harmonicExtension::firstCellHeight() const
-{
-    scalar height = GREAT;
-    for (const label patchi : patches_)
-    {
-        // The first call computes them, which takes all ranks
-        const scalarField& inverse = mesh_->boundary()[patchi].deltaCoeffs();
-        if (inverse.size() > 0)
-        {
-            // From the face to the centre, and as much again
-            height = min(height, 2/max(inverse));
-        }
-    }
-    return returnReduce(height, minOp<scalar>());
-}
-
-
-Foam::scalarField Foam::harmonicExtension::extend
-(
-    const scalarField& onPoints
+    const scalarField& onPoints,
+    const List<condition>& conditions
 ) const
 {
     const fvMesh& mesh = *mesh_;
-    const IOobject io
-    (
-        "harmonicExtension",
-        mesh.time().timeName(),
-        mesh,
-        IOobject::NO_READ,
-        IOobject::NO_WRITE,
-        false
-    );
-    volScalarField onCells
-    (
-        io,
-        mesh,
-        dimensionedScalar(dimless, Zero),
-        faceTypes_
-    );
-    for (const label patchi : patches_)
+    const polyBoundaryMesh& patches = mesh.boundaryMesh();
+    wordList types(patches.types());
+    forAll(types, patchi)
     {
-        const polyPatch& patch = mesh.boundaryMesh()[patchi];
-        fvPatchScalarField& onFaces = onCells.boundaryFieldRef()[patchi];
-        forAll(patch, facei)
+        switch (conditions[patchi])
         {
-            onFaces[facei] = patch[facei].average(mesh.points(), onPoints);
+            case condition::given:
+            case condition::zero:
+                types[patchi] = fixedValueFvPatchScalarField::typeName;
+                break;
+
+            case condition::zeroGradient:
+                types[patchi] = zeroGradientFvPatchScalarField::typeName;
+                break;
+
+            case condition::ofPatch:
+                break;
         }
     }
 
+    // With the patches' own types as the third argument, because a condition
+    // may differ from that of a patch such as symmetryPlane
+    volScalarField onCells
+    (
+        IOobject
+        (
+            "harmonicExtension",
+            mesh.time().timeName(),
+            mesh,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE,
+            false
+        ),
+        mesh,
+        dimensionedScalar(dimless, Zero),
+        types,
+        patches.types()
+    );
+    forAll(conditions, patchi)
+    {
+        if (conditions[patchi] == condition::given)
+        {
+            const polyPatch& patch = patches[patchi];
+            fvPatchScalarField& onFaces = onCells.boundaryFieldRef()[patchi];
+            forAll(patch, facei)
+            {
+                onFaces[facei] =
+                    patch[facei].average(mesh.points(), onPoints);
+            }
+        }
+    }
+    return onCells;
+}
+
+
+void Foam::harmonicExtension::solve(volScalarField& onCells) const
+{
     const int verbosity = solverPerformance::debug;
     solverPerformance::debug = 0;
     for (label pass = 0; pass < largestPasses; ++pass)
@@ -217,24 +164,116 @@ Foam::scalarField Foam::harmonicExtension::extend
         }
     }
     solverPerformance::debug = verbosity;
+}
 
-    pointScalarField extended
-    (
-        io,
-        pointMesh::New(mesh),
-        dimensionedScalar(dimless, Zero),
-        pointTypes_
-    );
-    volPointInterpolation::New(mesh).interpolate(onCells, extended);
-    scalarField values(extended.primitiveField());
-    UIndirectList<scalar>(values, fixedPoints_) = 0;
-    for (const label patchi : patches_)
+
+void Foam::harmonicExtension::setKnown
+(
+    scalarField& values,
+    const scalarField& onPoints,
+    const List<condition>& conditions
+) const
+{
+    const fvMesh& mesh = *mesh_;
+    boolList isZero(mesh.nPoints(), false);
+    boolList isGiven(mesh.nPoints(), false);
+    forAll(conditions, patchi)
     {
-        for (const label pointi : mesh.boundaryMesh()[patchi].meshPoints())
+        const labelList& points = mesh.boundaryMesh()[patchi].meshPoints();
+        if (conditions[patchi] == condition::zero)
+        {
+            UIndirectList<bool>(isZero, points) = true;
+        }
+        else if (conditions[patchi] == condition::given)
+        {
+            UIndirectList<bool>(isGiven, points) = true;
+        }
+    }
+    // A rank may have a point of a patch and none of its faces
+    syncTools::syncPointList(mesh, isZero, orEqOp<bool>(), false);
+    forAll(values, pointi)
+    {
+        if (isGiven[pointi])
         {
             values[pointi] = onPoints[pointi];
         }
+        else if (isZero[pointi])
+        {
+            values[pointi] = 0;
+        }
     }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::harmonicExtension::harmonicExtension
+(
+    const fvMesh& mesh,
+    const pointField& points,
+    Istream& diffusivity
+)
+{
+    makeMesh(mesh, points);
+    setDiffusivity(diffusivity);
+    solver_.add("solver", word("PCG"));
+    solver_.add("preconditioner", word("DIC"));
+    solver_.add("tolerance", tightTolerance);
+    solver_.add("relTol", 0);
+    solver_.add("maxIter", 10000);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::harmonicExtension::firstCellHeight
+(
+    const labelList& patches
+) const
+{
+    scalar height = GREAT;
+    for (const label patchi : patches)
+    {
+        // The first call computes them, which takes all ranks
+        const scalarField& inverse = mesh_->boundary()[patchi].deltaCoeffs();
+        if (inverse.size() > 0)
+        {
+            // From the face to the centre, and as much again
+            height = min(height, 2/max(inverse));
+        }
+    }
+    return returnReduce(height, minOp<scalar>());
+}
+
+
+Foam::scalarField Foam::harmonicExtension::extend
+(
+    const scalarField& onPoints,
+    const List<condition>& conditions
+) const
+{
+    volScalarField onCells(field(onPoints, conditions));
+    solve(onCells);
+
+    const polyBoundaryMesh& patches = mesh_->boundaryMesh();
+    wordList types(patches.types());
+    for (word& type : types)
+    {
+        if (!polyPatch::constraintType(type))
+        {
+            type = calculatedPointPatchScalarField::typeName;
+        }
+    }
+    pointScalarField extended
+    (
+        IOobject(onCells),
+        pointMesh::New(*mesh_),
+        dimensionedScalar(dimless, Zero),
+        types
+    );
+    volPointInterpolation::New(*mesh_).interpolate(onCells, extended);
+    scalarField values(extended.primitiveField());
+    setKnown(values, onPoints, conditions);
     return values;
 }
 

@@ -10,12 +10,12 @@
 namespace Foam
 {
 
-//- Places nearer than this share of the boundary's extent are the same: the two
-//  planes of a 2D mesh, points that ranks share
+//- Points nearer than this fraction of the boundary's extent are the same: those
+//  of the two planes of a 2D mesh, and those that ranks share
 constexpr scalar samePlace = 1e-9;
 
-//- A direction in which the control points extend less than this share of their
-//  largest extent carries no linear function
+//- A direction in which the control points extend less than this fraction of
+//  their largest extent carries no linear function
 constexpr scalar flat = 1e-3;
 
 //- A field of each rank, on all of them
@@ -34,7 +34,7 @@ static vectorField inOne(const List<vectorField>& ofRanks)
     return ListListOps::combine<vectorField>(ofRanks, accessOp<vectorField>());
 }
 
-//- Where areas at a place add up to less than this share of the largest, they
+//- Where areas at a point add up to less than this fraction of the largest, they
 //  face each other
 constexpr scalar cancels = 0.1;
 
@@ -266,13 +266,15 @@ void Foam::interfaceFunctions::setSlopes(const List<scalarField>& weight)
     }
 }
 
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::interfaceFunctions::interfaceFunctions
 (
     const pointField& points,
     const vectorField& areas,
-    const label n
+    const label n,
+    const bool rotation
 )
 :
     points_(points)
@@ -289,8 +291,28 @@ Foam::interfaceFunctions::interfaceFunctions
     chooseControls(n);
     const List<scalarField> weight(weights());
     setValues(weight);
-    setSlopes(weight);
+    if (rotation)
+    {
+        setSlopes(weight);
+    }
 }
+
+
+// * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
+
+Foam::scalar Foam::interfaceFunctions::nNumbers
+(
+    const label nPoints,
+    const label n,
+    const bool rotation
+)
+{
+    // Values at the points, two matrices of the weights while they are made,
+    // and the slopes along two tangents
+    return scalar(n)*(nPoints + 2*scalar(n) + (rotation ? 2*scalar(n) : 0));
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 bool Foam::interfaceFunctions::isComplete() const
@@ -359,15 +381,15 @@ Foam::scalar Foam::interfaceFunctions::residual
     const vectorField& coefficients
 ) const
 {
-    vectorField rest(values);
+    vectorField missed(values);
     forAll(values_, function)
     {
-        forAll(rest, i)
+        forAll(missed, i)
         {
-            rest[i] -= values_[function][i]*coefficients[function];
+            missed[i] -= values_[function][i]*coefficients[function];
         }
     }
-    return gMax(mag(rest)());
+    return gMax(mag(missed)());
 }
 
 

@@ -11,7 +11,7 @@
 namespace Foam
 {
 
-//- Of the normalised residual, beyond which sweeps change nothing
+//- Normalised residual below which sweeps change nothing
 constexpr scalar roundOff = 1e-14;
 
 } // End namespace Foam

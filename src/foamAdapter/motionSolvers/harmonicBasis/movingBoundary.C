@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "movingBoundary.H"
 #include "structureDisplacementPointPatchVectorField.H"
-#include "cyclicAMIPolyPatch.H"
 #include "fixedValuePointPatchFields.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -165,6 +164,8 @@ Foam::pointField Foam::movingBoundary::places(const pointField& points) const
 {
     return inPlane(vectorField(points, points_));
 }
+
+
 Foam::vectorField Foam::movingBoundary::areas(const pointField& points) const
 {
     vectorField onPoints(mesh_.nPoints(), Zero);
@@ -204,15 +205,6 @@ Foam::vectorField Foam::movingBoundary::displacement() const
 
 Foam::string Foam::movingBoundary::obstacle() const
 {
-    for (const polyPatch& patch : mesh_.boundaryMesh())
-    {
-        if (isA<cyclicAMIPolyPatch>(patch))
-        {
-            return "patch '" + patch.name() + "' is a " + patch.type()
-              + ": what moves at one side changes what it touches";
-        }
-    }
-
     const wordList others(othersThatMove());
     if (!others.empty())
     {

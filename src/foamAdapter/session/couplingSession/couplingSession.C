@@ -206,6 +206,10 @@ void Foam::couplingSession::endOuterCorrector()
     {
         endFinalCorrector();
     }
+    else if (step_.hasFailed())
+    {
+        residual_.endLoop();
+    }
     else if (isDue())
     {
         iterate(false);
@@ -245,6 +249,12 @@ Foam::couplingSession::couplingSession
     audited_(false),
     step_(dict, mesh, structure_),
     structure_(dict, mesh.time()),
+    invertedCells_
+    (
+        registryName(name) + "InvertedCells",
+        mesh,
+        [this](const string& cells){ step_.failMesh(cells); }
+    ),
     corrector_(0),
     coupledCorrector_(0)
 {

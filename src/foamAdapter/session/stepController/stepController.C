@@ -92,6 +92,18 @@ void Foam::stepController::fail(const string& reason, const string& remedy)
 }
 
 
+void Foam::stepController::failMesh(const string& cells)
+{
+    fail
+    (
+        cells,
+        ". Reduce deltaT, repeat such steps with a shorter one by "
+        "'onUnconverged retry', or choose another mesh motion or diffusivity"
+    );
+    retry_->endureTimeStep();
+}
+
+
 void Foam::stepController::failUnconverged(const string& reason)
 {
     if (onUnconverged_ == unconverged::warn)

@@ -65,6 +65,16 @@ void Foam::stepRetry::beginTimeStep()
 }
 
 
+void Foam::stepRetry::endureTimeStep()
+{
+    if (!isEnduring_)
+    {
+        std::feholdexcept(&exceptions_);
+        isEnduring_ = true;
+    }
+}
+
+
 void Foam::stepRetry::endTimeStep()
 {
     isRepeated_ = false;
@@ -112,6 +122,11 @@ Foam::scalar Foam::stepRetry::rejectTimeStep()
     }
 
     snapshot_->restore();
+    if (isEnduring_)
+    {
+        std::fesetenv(&exceptions_);
+        isEnduring_ = false;
+    }
     // So that the solver does not make relative what is so already
     const_cast<fvMesh&>(mesh_).moving(false);
 

@@ -1,0 +1,157 @@
+#!/usr/bin/env bash
+# The motion solver harmonicBasis at patches that constrain the mesh without fixing
+# it: planes in which points slide; and what it leaves to displacementLaplacian.
+source "$(dirname "$0")/harness.sh"
+
+# basis KEY VALUE: sets an entry of the motion solver
+basis()
+{
+    entry constant/dynamicMeshDict "harmonicBasisCoeffs.$1" "$2"
+}
+
+# makeMotion FOLDER [DISPLACEMENT]: the mesh alone, whose flap is displaced
+makeMotion()
+{
+    makeCase "$1"
+    entry system/controlDict functions '{}'
+    entry system/controlDict deltaT 0.01
+    writeAtEnd
+    sed -i "s/structureDisplacement;/fixedValue;/; s/uniform (0 0 0);/uniform (${2:-0.02 0.01 0});/
+        /inlet|outlet/,/}/ s/${2:-0.02 0.01 0}/0 0 0/; s/^\(internalField *\).*/\1uniform (0 0 0);/" 0/pointDisplacement
+    basis patches "(flap)"
+    solver=moveDynamicMesh
+}
+
+# condition PATCH ENTRIES: of pointDisplacement, before those of all walls
+condition()
+{
+    sed -i "/^boundaryField/,/^{/ s|^{|{ $1 { $2 }|" 0/pointDisplacement
+}
+
+# moved: displacements of all points
+moved()
+{
+    movedPoints constant/polyMesh/points 0.03/polyMesh/points
+}
+
+# slide [ENTRIES]: three sides of the channel; those of the outlet
+slide()
+{
+    condition inlet 'type slip;'
+    condition outlet "${1:-type fixedNormalSlip; n (1 0 0);}"
+    condition upperWall 'type slip;'
+}
+
+property slides "harmonicBasis: points slide in planes, as those of a converged displacementLaplacian"
+slides()
+{
+    # A thousandth of the flap's height: displacementLaplacian follows the mesh
+    makeMotion product "0.001 0.0005 0"
+    slide
+    basis rotation no
+    basis diffusivity 'quadratic inverseDistance (flap)'
+    runFluid
+    expectText log.pimpleFoam "extended in 2 ways for planes"
+    moved > all
+    awk '($1 == -3 || $1 == 3) && $4 != 0 || $2 == 4 && $5 != 0 { exit 1 }' all || fail "points leave their planes"
+    awk '$2 == 4 && $4 > 1e-6 { above = 1 } $1 == 3 && $2 < 4 && $5 > 1e-7 { behind = 1 } END { exit !(above && behind) }' all \
+        || fail "points do not slide"
+    above all > ../product.moved
+    cp -r . ../solution
+    cd ../solution
+    rm -rf 0.0*
+    useLaplacian
+    runFluid
+    moved > all
+    above all > moved
+    # The limit of the diffusivity at the boundary makes a difference within the
+    # first cells
+    expectSameTable displacement 0.02 ../product.moved moved
+}
+
+# above FILE: displacements of the points above the flap, at whose foot the motion
+# has a jump
+above()
+{
+    awk '$2 > 1 { print $4, $5 }' "$1"
+}
+
+property inclined "harmonicBasis: planes inclined to the axes constrain the mesh as those that are not"
+inclined()
+{
+    makeMotion aligned
+    slide
+    runFluid
+    moved | awk -v OFMT=%.15g '{ print 0.8*$4 - 0.6*$5, 0.6*$4 + 0.8*$5 }' > ../aligned.moved
+    makeMotion inclined "0.01 0.02 0"
+    slide 'type fixedNormalSlip; n (0.8 0.6 0);'
+    transformPoints -rotate '((1 0 0) (0.8 0.6 0))' > log.transformPoints 2>&1 || fail "transformPoints failed"
+    runFluid
+    moved | awk '{ print $4, $5 }' > moved
+    # Extensions are solved to 1e-12 of their normalised residual
+    expectSameTable displacement 1e-7 ../aligned.moved moved
+}
+
+# expectFallback REASON: said before the first motion, and the run continues
+expectFallback()
+{
+    expectText log.pimpleFoam "the mesh moves as by displacementLaplacian with 60 sweeps from here on, because" "$1"
+    expectNoText log.pimpleFoam "boundary points"
+}
+
+property oblique "motion fall-back: planes that are neither parallel nor perpendicular"
+oblique()
+{
+    makeMotion fluid
+    sed -i 's/( *\$x3 \$y1/(3.125 $y1/g; s/( *\$x3 \$y2/(3.5 $y2/g' system/blockMeshDict
+    blockMesh > log.blockMesh 2>&1 || fail "blockMesh failed"
+    slide 'type slip;'
+    runFluid
+    expectFallback "patch 'outlet' is oblique to another"
+}
+
+property curved "motion fall-back: points that slide on a patch that is not plane"
+curved()
+{
+    makeMotion fluid
+    sed -i 's/( *\$x2 \$y2/($x2 4.2/g' system/blockMeshDict
+    blockMesh > log.blockMesh 2>&1 || fail "blockMesh failed"
+    slide
+    runFluid
+    expectFallback "patch 'upperWall', on which points slide (slip), is not a plane"
+}
+
+property normal "motion fall-back: a normal that is not that of the patch"
+normal()
+{
+    makeMotion fluid
+    condition outlet 'type fixedNormalSlip; n (0.8 0.6 0);'
+    runFluid
+    expectFallback "patch 'outlet', on which points slide (fixedNormalSlip), is not a plane"
+}
+
+property wedge "motion fall-back: the wedges of an axisymmetric mesh"
+wedge()
+{
+    makeMotion fluid
+    cp "$TOKAY_ROOT/benchmarks/meshMotion/wedge.blockMeshDict" system/blockMeshDict
+    blockMesh > log.blockMesh 2>&1 || fail "blockMesh failed"
+    cat > 0/pointDisplacement << END
+FoamFile { version 2.0; format ascii; class pointVectorField; object pointDisplacement; }
+dimensions [0 1 0 0 0 0 0];
+internalField uniform (0 0 0);
+boundaryField
+{
+    "(inlet|outlet)" { type fixedValue; value uniform (0 0 0); }
+    roof { type fixedValue; value uniform (0.01 0 0); }
+    "(back|front)" { type wedge; }
+    axis { type empty; }
+}
+END
+    rm -f 0/U 0/p
+    basis patches "(roof)"
+    runFluid
+    expectFallback "patch 'back' is a wedge"
+}
+
+runProperties "$@"
