@@ -3,8 +3,8 @@
 
 #include "common/Formula.hpp"
 #include "common/errors.hpp"
+#include "tokayMap/files/readValues.hpp"
 #include "tokayMap/readSide.hpp"
-#include "tokayMap/readValues.hpp"
 
 #include <fmt/format.h>
 
@@ -15,8 +15,7 @@ namespace {
 Source sourceOfField(const MapOptions& options) {
     if (isSplineModel(options.from)) {
         throw InputError(fmt::format("{}: a spline model has no fields: give the values of its "
-                                     "control points by --values, or a formula by "
-                                     "--test-function.",
+                                     "control points by --values, or a formula by --test-function",
                                      options.from));
     }
     MeshFile mesh = readMesh(options.from);
@@ -28,12 +27,11 @@ Source sourceOfField(const MapOptions& options) {
 void checkValues(const Source& source) {
     const int n = source.side->discretisation().nValues();
     if (source.values.rows() != n) {
-        throw InputError(fmt::format("There are {} rows of values, but {} are needed for\n  {}",
+        throw InputError(fmt::format("there are {} rows of values, but {} are needed for\n  {}",
                                      source.values.rows(), n, source.side->description()));
     }
     if (!source.values.allFinite()) {
-        throw InputError(
-            fmt::format("The field '{}' has values that are not finite.", source.name));
+        throw InputError(fmt::format("the field '{}' has values that are not finite", source.name));
     }
 }
 
@@ -52,8 +50,9 @@ Source readSource(const MapOptions& options) {
     } else if (!options.testFunction.empty()) {
         source.values = source.side->valuesOf(testFunctionOf(options));
     } else {
-        throw InputError("what is to be mapped? Name a field of the file (--field, --list shows "
-                         "them), a file of values (--values) or a formula (--test-function).");
+        throw InputError("what is to be mapped? Name a field of the file (--field, "
+                         "--list shows them), a file of values (--values) or a "
+                         "formula (--test-function)");
     }
     checkValues(source);
     return source;
@@ -63,7 +62,7 @@ ScalarFunction testFunctionOf(const MapOptions& options) {
     const Formula formula(options.testFunction, "--test-function: ");
     if (formula.dependsOnTime()) {
         throw InputError(fmt::format("--test-function: '{}' has t in it, but a field between two "
-                                     "files has no time.",
+                                     "files has no time",
                                      options.testFunction));
     }
     return [formula](const Point& x) { return formula(x, 0); };

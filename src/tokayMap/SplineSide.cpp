@@ -3,8 +3,8 @@
 #include "geometry/trimming/patchTriangles.hpp"
 #include "mapper/interface/SurfaceInterface.hpp"
 #include "tokayMap/Side.hpp"
+#include "tokayMap/files/writeField.hpp"
 #include "tokayMap/splineProjection.hpp"
-#include "tokayMap/writeField.hpp"
 
 #include <fmt/format.h>
 

@@ -4,9 +4,9 @@
 #include "geometry/primitives/primitives.hpp"
 #include "geometry/spline/curveParts.hpp"
 #include "temporaryDirectory.hpp"
+#include "tokayMap/files/writeField.hpp"
 #include "tokayMap/mapFiles.hpp"
 #include "tokayMap/readSide.hpp"
-#include "tokayMap/writeField.hpp"
 #include "vtuArrays.hpp"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/expectInputError.hpp"
 #include "temporaryDirectory.hpp"
-#include "tokayMap/readVtk.hpp"
-#include "tokayMap/writeField.hpp"
+#include "tokayMap/files/readVtk.hpp"
+#include "tokayMap/files/writeField.hpp"
 #include "vtkText.hpp"
 
 #include <gtest/gtest.h>

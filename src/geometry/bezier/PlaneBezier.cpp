@@ -79,7 +79,7 @@ PlaneBezier::PlaneBezier(Controls controls)
 
 std::vector<PlaneBezier> PlaneBezier::piecesOf(const NurbsCurve& curve) {
     if (curve.degree() > maxDegree) {
-        throw InputError(fmt::format("A trimming curve has degree {}; at most {} is possible.",
+        throw InputError(fmt::format("a trimming curve has degree {}; at most {} is possible",
                                      curve.degree(), maxDegree));
     }
     std::vector<PlaneBezier> pieces;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/spline/NurbsCurve.hpp"
-#include "geometry/spline/Parameters.hpp"
+#include "geometry/spline/Points.hpp"
 
 #include <array>
 
@@ -36,10 +36,10 @@ class PlaneBezier {
 
     std::array<PlaneBezier, 2> split(double t) const;
 
-    /// The same curve with other ends, next to its own.
+    /// Copy with other ends, next to its own.
     PlaneBezier withEnds(const Parameters& start, const Parameters& end) const;
 
-    /// The same curve run through backwards.
+    /// Reversed curve.
     PlaneBezier reversed() const;
 
     /// The curve in coordinates (point - origin) * scale, for each direction.

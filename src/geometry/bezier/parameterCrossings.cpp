@@ -11,7 +11,7 @@ namespace tokay::geometry {
 
 namespace {
 
-/// By bisection: the signs at the ends differ.
+/// Root by bisection: the signs at the ends differ.
 double bracketedCrossing(const NurbsCurve& piece, int axis, double value) {
     double from = piece.knotVector().first(), to = piece.knotVector().last();
     const bool rises = piece.point(to)[axis] > value;

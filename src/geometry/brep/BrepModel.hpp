@@ -21,10 +21,10 @@ struct BrepFace {
 /// A trimming curve as a side of an edge.
 struct BrepTrim {
     int face;
-    /// Number among the curves of the face: those of its loops in order, then
+    /// Index among the curves of the face: those of its loops in order, then
     /// the embedded ones.
     int curve;
-    /// Whether it runs as the edge does.
+    /// True if the trim runs as the edge does.
     bool isForward = true;
 };
 
@@ -36,7 +36,7 @@ struct BrepEdge {
     std::optional<NurbsCurve> curve = std::nullopt;
 };
 
-/// How far the trims of an edge are apart.
+/// Distance between the trims of an edge.
 struct EdgeGap {
     int edge;
     double distance; ///< [m]
@@ -68,13 +68,13 @@ class BrepModel {
     const NurbsCurve& curve(int face, int number) const;
     CurveOnSurface curveInSpace(const BrepTrim& trim) const;
 
-    /// For each edge of two or more trims, the largest distance between two.
+    /// Largest distance between two trims of each edge that has several.
     std::vector<EdgeGap> gaps() const;
 
     /// @throws InputError that names the worst edge, its gap, place and the limit.
     void requireGapsBelow(double limit) const;
 
-    /// The same model in another basis, as TrimmedPatch::refined.
+    /// Copy of the model in a finer basis, as TrimmedPatch::refined.
     BrepModel refined(int degreeU, int degreeV, int nDivisionsU, int nDivisionsV) const;
 
   private:
@@ -83,7 +83,7 @@ class BrepModel {
     double tolerance_;
 };
 
-/// Whether the second curve runs as the first does, by their points.
+/// True if the second curve runs as the first does, by their points.
 bool runsAlong(const CurveOnSurface& first, const CurveOnSurface& second);
 
 /// Edges between faces by search: trimming curves that coincide in space over

@@ -7,10 +7,10 @@
 
 namespace tokay::geometry {
 
-/// What a cad.json file holds.
+/// Content of a cad.json file.
 struct CadJson {
     BrepModel model;
-    /// What was read but is not used, one sentence each (vertices, directions of
+    /// Remarks on entries that were read but not used, one each (vertices, directions of
     /// edges that contradict the curves).
     std::vector<std::string> notes;
 };

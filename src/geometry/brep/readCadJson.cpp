@@ -11,11 +11,11 @@ namespace tokay::geometry {
 
 namespace {
 
-std::string nameOf(const CadJsonNode& node) {
+std::string nameOf(const LocatedNode& node) {
     if (node.has("brep_name")) {
-        return node.child("brep_name").text();
+        return node.required("brep_name").text();
     }
-    return std::to_string(node.child("brep_id").integer());
+    return std::to_string(node.required("brep_id").integer());
 }
 
 /// Curve of a face by the number that edges call it by.
@@ -24,10 +24,11 @@ struct NumberedCurve {
     NurbsCurve curve;
 };
 
-NumberedCurve readTrim(const CadJsonNode& node, int otherwise) {
-    const int index = node.has("trim_index") ? node.child("trim_index").integer() : otherwise;
-    const NurbsCurve curve = readCurve(node.child("parameter_curve"));
-    const bool isForward = !node.has("curve_direction") || node.child("curve_direction").boolean();
+NumberedCurve readTrim(const LocatedNode& node, int otherwise) {
+    const int index = node.has("trim_index") ? node.required("trim_index").integer() : otherwise;
+    const NurbsCurve curve = readCurve(node.required("parameter_curve"));
+    const bool isForward =
+        !node.has("curve_direction") || node.required("curve_direction").boolean();
     return {index, isForward ? curve : reversed(curve)};
 }
 
@@ -36,26 +37,26 @@ using TrimNumbers = std::map<int, int>;
 
 class FaceReader {
   public:
-    explicit FaceReader(const CadJsonNode& node) : node_(node) {}
+    explicit FaceReader(const LocatedNode& node) : node_(node) {}
 
     BrepFace read() {
         const std::string name = nameOf(node_);
-        const NurbsSurface surface = readSurface(node_.child("surface"));
+        const NurbsSurface surface = readSurface(node_.required("surface"));
         std::vector<TrimmingLoop> loops;
-        for (const CadJsonNode& loop : node_.itemsOf("boundary_loops")) {
+        for (const LocatedNode& loop : node_.itemsOf("boundary_loops")) {
             loops.push_back(readLoop(loop));
         }
         std::vector<NurbsCurve> embedded;
-        for (const CadJsonNode& loop : node_.itemsOf("embedded_loops")) {
-            for (const CadJsonNode& curve : loop.child("trimming_curves").items()) {
+        for (const LocatedNode& loop : node_.itemsOf("embedded_loops")) {
+            for (const LocatedNode& curve : loop.required("trimming_curves").items()) {
                 embedded.push_back(readCounted(curve));
             }
         }
-        for (const CadJsonNode& curve : node_.itemsOf("embedded_edges")) {
+        for (const LocatedNode& curve : node_.itemsOf("embedded_edges")) {
             embedded.push_back(readCounted(curve));
         }
-        const bool isSwapped =
-            node_.has("swapped_surface_normal") && node_.child("swapped_surface_normal").boolean();
+        const bool isSwapped = node_.has("swapped_surface_normal") &&
+                               node_.required("swapped_surface_normal").boolean();
         return node_.make([&] {
             return BrepFace{loops.empty() ? TrimmedPatch(surface, name)
                                           : TrimmedPatch(surface, loops, name),
@@ -66,61 +67,61 @@ class FaceReader {
     const TrimNumbers& trims() const { return trims_; }
 
   private:
-    NurbsCurve readCounted(const CadJsonNode& node) {
+    NurbsCurve readCounted(const LocatedNode& node) {
         const int number = static_cast<int>(trims_.size());
         NumberedCurve trim = readTrim(node, number);
         if (!trims_.emplace(trim.trimIndex, number).second) {
             throw node.error(
-                fmt::format("the trim_index {} occurs twice in this face.", trim.trimIndex));
+                fmt::format("the trim_index {} occurs twice in this face", trim.trimIndex));
         }
         return std::move(trim.curve);
     }
 
-    TrimmingLoop readLoop(const CadJsonNode& node) {
+    TrimmingLoop readLoop(const LocatedNode& node) {
         LoopKind kind = LoopKind::outer;
         if (node.has("loop_type")) {
-            const CadJsonNode type = node.child("loop_type");
+            const LocatedNode type = node.required("loop_type");
             if (type.text() != "outer" && type.text() != "inner") {
                 throw type.error(
-                    fmt::format("the loop type \"{}\" must be outer or inner.", type.text()));
+                    fmt::format("the loop type \"{}\" must be outer or inner", type.text()));
             }
             kind = type.text() == "outer" ? LoopKind::outer : LoopKind::inner;
         }
         std::vector<NurbsCurve> curves;
-        for (const CadJsonNode& curve : node.child("trimming_curves").items()) {
+        for (const LocatedNode& curve : node.required("trimming_curves").items()) {
             curves.push_back(readCounted(curve));
         }
         return node.make([&] { return TrimmingLoop(kind, curves); });
     }
 
-    const CadJsonNode& node_;
+    const LocatedNode& node_;
     TrimNumbers trims_;
 };
 
 class ModelReader {
   public:
-    CadJson read(const CadJsonNode& root) {
-        const std::vector<CadJsonNode> breps = root.child("breps").items();
-        for (const CadJsonNode& brep : breps) {
-            for (const CadJsonNode& face : brep.itemsOf("faces")) {
+    CadJson read(const LocatedNode& root) {
+        const std::vector<LocatedNode> breps = root.required("breps").items();
+        for (const LocatedNode& brep : breps) {
+            for (const LocatedNode& face : brep.itemsOf("faces")) {
                 readFace(face);
             }
         }
         if (faces_.empty()) {
-            throw root.child("breps").error("there is no face in any brep.");
+            throw root.required("breps").error("there is no face in any brep");
         }
         std::vector<BrepEdge> edges;
-        for (const CadJsonNode& brep : breps) {
-            for (const CadJsonNode& edge : brep.itemsOf("edges")) {
+        for (const LocatedNode& brep : breps) {
+            for (const LocatedNode& edge : brep.itemsOf("edges")) {
                 edges.push_back(readEdge(edge));
             }
             if (const std::size_t n = brep.itemsOf("vertices").size()) {
-                notes_.push_back(brep.error(fmt::format("{} vertices are not used.", n)).what());
+                notes_.push_back(brep.error(fmt::format("{} vertices are not used", n)).what());
             }
         }
         double tolerance = 0;
-        if (root.has("tolerances") && root.child("tolerances").has("model_tolerance")) {
-            tolerance = root.child("tolerances").child("model_tolerance").number();
+        if (root.has("tolerances") && root.required("tolerances").has("model_tolerance")) {
+            tolerance = root.required("tolerances").required("model_tolerance").number();
         }
         BrepModel model =
             root.make([&] { return BrepModel(std::move(faces_), std::move(edges), tolerance); });
@@ -129,41 +130,41 @@ class ModelReader {
     }
 
   private:
-    void readFace(const CadJsonNode& node) {
+    void readFace(const LocatedNode& node) {
         FaceReader reader(node);
         BrepFace face = reader.read();
         if (!numbers_.emplace(face.patch.name(), static_cast<int>(faces_.size())).second) {
-            throw node.error(fmt::format("two faces are named \"{}\".", face.patch.name()));
+            throw node.error(fmt::format("two faces are named \"{}\"", face.patch.name()));
         }
         trims_.push_back(reader.trims());
         faces_.push_back(std::move(face));
     }
 
-    BrepEdge readEdge(const CadJsonNode& node) {
+    BrepEdge readEdge(const LocatedNode& node) {
         BrepEdge edge{nameOf(node), {}};
         if (node.has("3d_curve")) {
-            edge.curve = readCurve(node.child("3d_curve"));
+            edge.curve = readCurve(node.required("3d_curve"));
         }
-        for (const CadJsonNode& trim : node.itemsOf("topology")) {
+        for (const LocatedNode& trim : node.itemsOf("topology")) {
             edge.trims.push_back(readTopology(trim));
         }
         return edge;
     }
 
-    BrepTrim readTopology(const CadJsonNode& node) const {
+    BrepTrim readTopology(const LocatedNode& node) const {
         const std::string name = nameOf(node);
         const auto face = numbers_.find(name);
         if (face == numbers_.end()) {
-            throw node.error(fmt::format("there is no face \"{}\".", name));
+            throw node.error(fmt::format("there is no face \"{}\"", name));
         }
-        const CadJsonNode index = node.child("trim_index");
+        const LocatedNode index = node.required("trim_index");
         const auto curve = trims_[face->second].find(index.integer());
         if (curve == trims_[face->second].end()) {
-            throw index.error(fmt::format("the face \"{}\" has no curve of trim_index {}.", name,
+            throw index.error(fmt::format("the face \"{}\" has no curve of trim_index {}", name,
                                           index.integer()));
         }
         const bool isForward =
-            !node.has("relative_direction") || node.child("relative_direction").boolean();
+            !node.has("relative_direction") || node.required("relative_direction").boolean();
         return {face->second, curve->second, isForward};
     }
 
@@ -179,9 +180,10 @@ class ModelReader {
                 if (isForward == edge.trims[i].isForward) {
                     continue;
                 }
-                notes_.push_back(fmt::format("Edge \"{}\": relative_direction contradicts the "
-                                             "curves, which are followed.",
-                                             edge.name));
+                notes_.push_back(
+                    fmt::format("edge \"{}\": relative_direction contradicts the curves, "
+                                "which are followed",
+                                edge.name));
                 edge.trims[i].isForward = isForward;
                 changed = true;
             }
@@ -200,7 +202,7 @@ class ModelReader {
 } // namespace
 
 CadJson readCadJson(const std::string& path) {
-    return ModelReader().read(CadJsonNode::load(path));
+    return ModelReader().read(LocatedNode::fromJsonFile(path));
 }
 
 } // namespace tokay::geometry

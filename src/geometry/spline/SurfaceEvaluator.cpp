@@ -7,7 +7,7 @@ namespace tokay::geometry {
 
 namespace {
 
-/// Whether the parameter lies in the span, whose end belongs to the next one.
+/// True if the parameter lies in the span, whose end belongs to the next one.
 bool holds(const KnotVector& knots, int span, double xi) {
     return span >= 0 && knots.knots()[span] <= xi && xi < knots.knots()[span + 1];
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/spline/NurbsSurface.hpp"
-#include "geometry/spline/Parameters.hpp"
+#include "geometry/spline/Points.hpp"
 
 namespace tokay::geometry {
 
@@ -38,7 +38,7 @@ class SurfaceEvaluator {
     const NurbsSurface& surface_;
     int spanU_ = -1, spanV_ = -1;
     std::vector<int> controlPoints_;
-    /// One row a control point: (w x, w y, w z, w); w is 1 if the surface is polynomial.
+    /// Homogeneous control points, rows (w x, w y, w z, w); w is 1 if the surface is polynomial.
     Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor> homogeneous_;
     Eigen::Matrix2Xd Nu_, Nv_;
     Eigen::VectorXd N_;

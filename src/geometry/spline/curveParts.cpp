@@ -30,7 +30,7 @@ NurbsCurve reversed(const NurbsCurve& curve) {
 NurbsCurve partOf(const NurbsCurve& curve, double from, double to) {
     const KnotVector& range = curve.knotVector();
     if (!(range.first() <= from && from < to && to <= range.last())) {
-        throw InputError(fmt::format("A curve over {} to {} has no part from {} to {}.",
+        throw InputError(fmt::format("a curve over {} to {} has no part from {} to {}",
                                      range.first(), range.last(), from, to));
     }
     std::vector<double> added;

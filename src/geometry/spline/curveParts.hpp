@@ -5,7 +5,7 @@
 
 namespace tokay::geometry {
 
-/// The same curve run through backwards, over the same range of parameters.
+/// Reversed curve, over the same range of parameters.
 NurbsCurve reversed(const NurbsCurve& curve);
 
 /// The part between two parameters, exact; its ends keep their parameters.

@@ -20,13 +20,13 @@ Eigen::VectorXd checkedWeights(Eigen::VectorXd weights, int n, const std::string
         return weights;
     }
     if (weights.size() != n) {
-        throw InputError(fmt::format("{} has {} weights for {} control points: give one for each.",
+        throw InputError(fmt::format("{} has {} weights for {} control points: give one for each",
                                      owner, weights.size(), n));
     }
     for (int i = 0; i < n; ++i) {
         if (!(weights[i] > 0) || !std::isfinite(weights[i])) {
-            throw InputError(fmt::format("{}: weight {} is {}, but weights must be positive.",
-                                         owner, i, weights[i]));
+            throw InputError(fmt::format("{}: weight {} is {}, but weights must be positive", owner,
+                                         i, weights[i]));
         }
     }
     if ((weights.array() == weights[0]).all()) {
@@ -37,12 +37,12 @@ Eigen::VectorXd checkedWeights(Eigen::VectorXd weights, int n, const std::string
 
 void checkControlPoints(const Points& points, int n, const std::string& owner) {
     if (points.rows() != n) {
-        throw InputError(fmt::format("{} has {} control points, but its knot vectors need {}.",
+        throw InputError(fmt::format("{} has {} control points, but its knot vectors need {}",
                                      owner, points.rows(), n));
     }
     for (int i = 0; i < n; ++i) {
         if (!points.row(i).allFinite()) {
-            throw InputError(fmt::format("{}: control point {} is ({}, {}, {}), not finite.", owner,
+            throw InputError(fmt::format("{}: control point {} is ({}, {}, {}), not finite", owner,
                                          i, points(i, 0), points(i, 1), points(i, 2)));
         }
     }

@@ -50,10 +50,11 @@ std::vector<NurbsCurve> closed(std::vector<NurbsCurve> curves, const Parameters&
         const Parameters end = tail(curves[before]), start = head(curves[i]);
         const Parameters gap = (end - start).cwiseAbs();
         if ((gap.array() > TrimmingLoop::closingTolerance * size.array()).any()) {
-            throw InputError(fmt::format(
-                "A trimming loop is open: curve {} ends at {}, but curve {} starts at {}. Let each "
-                "curve start where the one before it ends.",
-                before, text(end), i, text(start)));
+            throw InputError(
+                fmt::format("a trimming loop is open: curve {} ends at {}, but curve {} "
+                            "starts at {}; let each curve start where the one before it "
+                            "ends",
+                            before, text(end), i, text(start)));
         }
         joints[i] = gap.isZero(0) ? start : Parameters(0.5 * (start + end));
     }
@@ -158,25 +159,25 @@ double sectorArea(const PlaneBezier& piece, const Parameters& origin) {
 
 TrimmingLoop::TrimmingLoop(LoopKind kind, std::vector<NurbsCurve> curves) : kind_(kind) {
     if (curves.empty()) {
-        throw InputError("A trimming loop has no curve: give it at least one.");
+        throw InputError("a trimming loop has no curve: give it at least one");
     }
     box_ = boxAround(curves);
     if (!(box_.size().array() > 0).all()) {
-        throw InputError(fmt::format("A trimming loop has no area: it lies between {} and {}.",
+        throw InputError(fmt::format("a trimming loop has no area: it lies between {} and {}",
                                      text(box_.lower), text(box_.upper)));
     }
     curves_ = closed(std::move(curves), box_.size());
     pieces_ = monotonePieces(curves_);
     if (const auto place = selfContact(halved(scaled(pieces_, box_)))) {
         const Parameters at = box_.lower + place->cwiseProduct(box_.size());
-        throw InputError(fmt::format("A trimming loop crosses or touches itself at {}. Correct its "
-                                     "curves, or make two loops of it.",
+        throw InputError(fmt::format("a trimming loop crosses or touches itself at {}; correct "
+                                     "its curves, or make two loops of it",
                                      text(at)));
     }
     const bool isOuter = kind == LoopKind::outer;
     if ((signedArea() > 0) != isOuter) {
-        throw InputError(fmt::format("An {} trimming loop (between {} and {}) runs {}, but must "
-                                     "run {}. Reverse its curves and their order.",
+        throw InputError(fmt::format("an {} trimming loop (between {} and {}) runs {}, but must "
+                                     "run {}; reverse its curves and their order",
                                      isOuter ? "outer" : "inner", text(box_.lower),
                                      text(box_.upper), isOuter ? "clockwise" : "counter-clockwise",
                                      isOuter ? "counter-clockwise" : "clockwise"));

@@ -104,7 +104,7 @@ class Integration {
     }
 
   private:
-    /// Those within reach of which the box, seen along the normal, overlaps the target:
+    /// Triangles within reach of which the box, seen along the normal, overlaps the target:
     /// no other one has a piece of it.
     std::vector<int> sourcesAlongNormal(const Triangle& destination, const Plane& plane,
                                         const Polygon& target) const {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mapper/SparseMatrix.hpp"
+#include "mapper/RowSparseMatrix.hpp"
 
 #include <Eigen/SPQRSupport>
 #include <Eigen/SparseLU>
@@ -24,7 +24,7 @@ class GradientExtension {
   public:
     /// @param mass, gradient  symmetric, of one size
     /// @throws SolverError if the two together do not determine all values
-    GradientExtension(const SparseMatrix& mass, const SparseMatrix& gradient);
+    GradientExtension(const RowSparseMatrix& mass, const RowSparseMatrix& gradient);
 
     /// @param rhs  n x m, in the range of M
     Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs) const;
@@ -33,7 +33,7 @@ class GradientExtension {
   private:
     using ColumnMatrix = Eigen::SparseMatrix<double>;
 
-    /// What of the trace is determined: rank_ x active values.
+    /// Determined part of the trace, rank_ x active values.
     ColumnMatrix traceRows() const;
 
     Eigen::Index n_;

@@ -226,22 +226,22 @@ TEST(CadJson, contradictingDirectionsAndUnusedVerticesAreNoted) {
     const CadJson read = readCadJson(written("noted", text));
     ASSERT_EQ(read.notes.size(), 2u);
     EXPECT_NE(read.notes[0].find("1 vertices"), std::string::npos);
-    EXPECT_NE(read.notes[1].find("Edge \"6\""), std::string::npos);
+    EXPECT_NE(read.notes[1].find("edge \"6\""), std::string::npos);
     EXPECT_FALSE(read.model.edges()[0].trims[1].isForward);
 }
 
 TEST(CadJson, malformedFilesAreRefusedWithLineAndKey) {
     expectInputError([] { readCadJson("nowhere.cad.json"); }, {"nowhere.cad.json", "opened"});
-    expectRefused("\"vertices\": []}]}", "\"vertices\": [}", {"no JSON"});
-    expectRefused("\"breps\"", "\"brep\"", {"\"breps\" is missing"});
+    expectRefused("\"vertices\": []}]}", "\"vertices\": [}", {"not JSON"});
+    expectRefused("\"breps\"", "\"brep\"", {"'breps' is missing"});
     expectRefused(
         "\"degrees\": [1, 1]", "\"degrees\": [1, 2]",
         {":3:", "breps[0].faces[0].surface", "4 control points", "need 2", "degrees 1 and 2"});
     expectRefused("\"degrees\": [1, 1]", "\"degrees\": [1, 1.5]",
-                  {"breps[0].faces[0].surface.degrees[1]", "1.5", "whole number"});
-    expectRefused("[0, 0, 6, 6]", "[0, 6, 0, 6]", {"knot_vectors[0]", "Knot 2", "0"});
+                  {"breps[0].faces[0].surface.degrees[1]", "1.5", "integer"});
+    expectRefused("[0, 0, 6, 6]", "[0, 6, 0, 6]", {"knot_vectors[0]", "knot 2", "0"});
     expectRefused("[2, [6, 0, 0, 1]]", "[2, [6, 0, 0]]",
-                  {"control_points[1][1]", "3 numbers", "4"});
+                  {"control_points[1][1]", "4 numbers", "3"});
     expectRefused("[2, [6, 0, 0, 1]]", "[2, [6, nan, 0, 1]]",
                   {"control_points[1][1][1]", "nan", "number"});
     expectRefused("[2, [6, 0, 0, 1]]", "[2, [6, 0, 0, -1]]", {"weight is -1", "positive"});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tokayMap/readVtkCells.hpp"
+#include "tokayMap/files/readVtkCells.hpp"
 
 #include <fmt/format.h>
 
@@ -39,7 +39,7 @@ class CellReader {
         double begin = 0;
         for (std::size_t i = 0; i < types.size(); ++i) {
             if (!(ends[i] >= begin && ends[i] <= static_cast<double>(vertices.size()))) {
-                arrays_.fail(fmt::format("cell {} ends at {} of {} vertex numbers.", cells_.size(),
+                arrays_.fail(fmt::format("cell {} ends at {} of {} vertex numbers", cells_.size(),
                                          ends[i], vertices.size()));
             }
             addCell(static_cast<int>(types[i]), {vertices.begin() + static_cast<long>(begin),
@@ -55,15 +55,16 @@ class CellReader {
         VtkCell cell{dimensionOf(type), {}};
         if (cell.dimension < 0) {
             arrays_.fail(fmt::format("cell {} has VTK's type {}, which is not supported: lines, "
-                                     "triangles, quadrilaterals and polygons are. Of a volume, "
-                                     "extract the surface.",
+                                     "triangles, quadrilaterals and polygons are; of a volume, "
+                                     "extract the surface",
                                      cells_.size(), type));
         }
         for (const double vertex : vertices) {
             if (!(vertex >= 0 && vertex < nVertices_)) {
-                arrays_.fail(fmt::format("cell {} names the point {}, but there are {} (numbers "
-                                         "start at 0).",
-                                         cells_.size(), vertex, nVertices_));
+                arrays_.fail(
+                    fmt::format("cell {} names the point {}, but there are {} (indices start "
+                                "at 0)",
+                                cells_.size(), vertex, nVertices_));
             }
             cell.vertices.push_back(static_cast<int>(vertex));
         }

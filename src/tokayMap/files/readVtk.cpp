@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tokayMap/readVtk.hpp"
+#include "tokayMap/files/readVtk.hpp"
 
-#include "tokayMap/readVtkCells.hpp"
+#include "tokayMap/files/readVtkCells.hpp"
 
 #include <fmt/format.h>
 
@@ -22,7 +22,7 @@ class VtkReader {
         const std::string type = arrays_.root().attribute("type").as_string();
         if (type != "UnstructuredGrid" && type != "PolyData") {
             arrays_.fail(fmt::format("its type '{}' is not UnstructuredGrid (.vtu) or PolyData "
-                                     "(.vtp).",
+                                     "(.vtp)",
                                      type));
         }
         for (const pugi::xml_node piece : arrays_.root().child(type.c_str()).children("Piece")) {
@@ -74,7 +74,7 @@ class VtkReader {
         }
         if (nComponents == 0 || field.nComponents != nComponents ||
             field.values.size() != before * nComponents) {
-            arrays_.fail(fmt::format("the field '{}' is not the same in all pieces.", name));
+            arrays_.fail(fmt::format("the field '{}' is not the same in all pieces", name));
         }
         append(arrays_.numbers(array, n * nComponents), field.values);
     }
@@ -85,7 +85,7 @@ class VtkReader {
             dimension = std::max(dimension, cell.dimension);
         }
         if (dimension == 0) {
-            arrays_.fail("there is neither a face nor a line in it.");
+            arrays_.fail("there is neither a face nor a line in it");
         }
         MeshFile mesh;
         mesh.isLines = dimension == 1;
@@ -119,7 +119,7 @@ class VtkReader {
         using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
         const std::size_t n = at == ValuesAt::vertices ? nVertices() : cells_.size();
         if (values.values.size() != n * values.nComponents) {
-            arrays_.fail(fmt::format("the field '{}' is not the same in all pieces.", name));
+            arrays_.fail(fmt::format("the field '{}' is not the same in all pieces", name));
         }
         const Eigen::Map<const Rows> all(values.values.data(), n, values.nComponents);
         if (at == ValuesAt::vertices) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tokayMap/ByteStream.hpp"
+#include "tokayMap/files/ByteStream.hpp"
 
 #include <pugixml.hpp>
 
@@ -17,14 +17,14 @@ class VtkArrays {
     /// in a way that is not supported (byte order, compressor)
     explicit VtkArrays(const std::string& path);
 
-    /// The element VTKFile.
+    /// Element VTKFile.
     pugi::xml_node root() const { return document_.child("VTKFile"); }
 
     /// Numbers of a DataArray element, all components of a tuple together.
     /// @throws InputError naming file and array
     std::vector<double> numbers(pugi::xml_node array) const;
 
-    /// The same, if there are n.
+    /// Numbers of a DataArray element that must have n of them.
     /// @throws InputError too if there are not
     std::vector<double> numbers(pugi::xml_node array, std::size_t n) const;
 

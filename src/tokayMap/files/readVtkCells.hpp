@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tokayMap/VtkArrays.hpp"
+#include "tokayMap/files/VtkArrays.hpp"
 
 namespace tokay::tool {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tokayMap/ByteStream.hpp"
+#include "tokayMap/files/ByteStream.hpp"
 
 #include "common/errors.hpp"
 
@@ -36,7 +36,7 @@ std::string ByteStream::take(std::size_t nBytes) {
     const std::size_t most = encoding_ == ByteEncoding::raw ? left : rest_.size() + left / 4 * 3;
     if (nBytes > most) {
         throw InputError(
-            fmt::format("{} bytes are announced, {} are left: the file is cut off.", nBytes, most));
+            fmt::format("{} bytes are announced, {} are left: the file is cut off", nBytes, most));
     }
     if (encoding_ == ByteEncoding::raw) {
         at_ += nBytes;
@@ -55,7 +55,7 @@ void ByteStream::decodeGroup() {
     int nDigits = 0, nPadding = 0;
     while (nDigits + nPadding < 4) {
         if (at_ == text_.size()) {
-            throw InputError("base64 data end too early: the file is cut off.");
+            throw InputError("base64 data end too early: the file is cut off");
         }
         const char c = text_[at_++];
         if (isSpace(c)) {
@@ -65,7 +65,7 @@ void ByteStream::decodeGroup() {
         if (c == '=') {
             ++nPadding;
         } else if (digit < 0 || nPadding > 0) {
-            throw InputError(fmt::format("'{}' is not a character of base64 here.", c));
+            throw InputError(fmt::format("'{}' is not a character of base64 here", c));
         } else {
             ++nDigits;
         }
