@@ -9,6 +9,7 @@ namespace tokay {
 
 /// Cell types, by VTK's numbers.
 enum class VtkCell : std::uint8_t {
+    empty = 0,
     vertex = 1,
     polyVertex = 2,
     line = 3,
@@ -53,7 +54,7 @@ class VtuFile {
     void write(const std::string& path) const;
 
   private:
-    /// Element of the XML and what it holds.
+    /// Element of the XML and its content.
     struct Section {
         std::string attributes, arrays;
     };

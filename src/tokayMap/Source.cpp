@@ -8,9 +8,24 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace tokay::tool {
 
 namespace {
+
+/// @param where  beginning of the message, to be followed by the index of the row
+void requireFinite(const Eigen::MatrixXd& values, const std::string& where) {
+    for (Eigen::Index i = 0; i < values.rows(); ++i) {
+        for (Eigen::Index j = 0; j < values.cols(); ++j) {
+            if (!std::isfinite(values(i, j))) {
+                throw InputError(fmt::format("{} {} (indices start at 0) is {}; allowed: finite "
+                                             "numbers",
+                                             where, i, values(i, j)));
+            }
+        }
+    }
+}
 
 Source sourceOfField(const MapOptions& options) {
     if (isSplineModel(options.from)) {
@@ -20,6 +35,9 @@ Source sourceOfField(const MapOptions& options) {
     }
     MeshFile mesh = readMesh(options.from);
     const MeshField field = fieldNamed(mesh, options.from, options.field, options.fromAt);
+    requireFinite(field.values,
+                  fmt::format("{}: field '{}': the value of {}", options.from, field.name,
+                              field.at == mapper::ValuesAt::vertices ? "vertex" : "face"));
     return {meshSide(std::move(mesh), options.from, options.sideFrom(field.at)), field.values,
             options.field};
 }
@@ -29,9 +47,6 @@ void checkValues(const Source& source) {
     if (source.values.rows() != n) {
         throw InputError(fmt::format("there are {} rows of values, but {} are needed for\n  {}",
                                      source.values.rows(), n, source.side->description()));
-    }
-    if (!source.values.allFinite()) {
-        throw InputError(fmt::format("the field '{}' has values that are not finite", source.name));
     }
 }
 
@@ -47,12 +62,12 @@ Source readSource(const MapOptions& options) {
                   "values"};
     if (!options.valuesFile.empty()) {
         source.values = readValues(options.valuesFile);
+        requireFinite(source.values, options.valuesFile + ": the value in row");
     } else if (!options.testFunction.empty()) {
         source.values = source.side->valuesOf(testFunctionOf(options));
     } else {
-        throw InputError("what is to be mapped? Name a field of the file (--field, "
-                         "--list shows them), a file of values (--values) or a "
-                         "formula (--test-function)");
+        throw InputError("nothing to map: name a field of the file (--field, --list shows them), a "
+                         "file of values (--values) or a formula (--test-function)");
     }
     checkValues(source);
     return source;

@@ -26,7 +26,7 @@ void checkSizes(const Side& from, const Side& to) {
         return;
     }
     throw InputError(fmt::format("the two sides differ in size by a factor of {:.4g}:\n  "
-                                 "{}\n  {}\nIs one in mm and the other in m? Give the first a "
+                                 "{}\n  {}\nis one in mm and the other in m? give the first a "
                                  "scale (--scale-from {:.4g}), or confirm the sizes "
                                  "(--scale-from 1)",
                                  std::max(sizeFrom / sizeTo, sizeTo / sizeFrom), from.description(),

@@ -59,7 +59,7 @@ std::unique_ptr<Mapping> mortar(const Side& from, const Side& to, const Operator
         }
     }
     throw InputError(fmt::format("mortar does not map between lines and surfaces:\n  {}\n  "
-                                 "{}\nChoose nearestElement",
+                                 "{}\nchoose nearestElement",
                                  from.description(), to.description()));
 }
 

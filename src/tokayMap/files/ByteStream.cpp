@@ -33,7 +33,7 @@ bool isSpace(char c) {
 
 std::string ByteStream::take(std::size_t nBytes) {
     const std::size_t left = text_.size() - at_;
-    const std::size_t most = encoding_ == ByteEncoding::raw ? left : rest_.size() + left / 4 * 3;
+    const std::size_t most = encoding_ == ByteEncoding::raw ? left : decoded_.size() + left / 4 * 3;
     if (nBytes > most) {
         throw InputError(
             fmt::format("{} bytes are announced, {} are left: the file is cut off", nBytes, most));
@@ -42,11 +42,11 @@ std::string ByteStream::take(std::size_t nBytes) {
         at_ += nBytes;
         return std::string(text_.substr(at_ - nBytes, nBytes));
     }
-    while (rest_.size() < nBytes) {
+    while (decoded_.size() < nBytes) {
         decodeGroup();
     }
-    std::string bytes = rest_.substr(0, nBytes);
-    rest_.erase(0, nBytes);
+    std::string bytes = decoded_.substr(0, nBytes);
+    decoded_.erase(0, nBytes);
     return bytes;
 }
 
@@ -72,7 +72,7 @@ void ByteStream::decodeGroup() {
         bits = bits << 6 | static_cast<unsigned>(digit < 0 ? 0 : digit);
     }
     for (int i = 0; i + 1 < nDigits; ++i) {
-        rest_ += static_cast<char>(bits >> (16 - 8 * i) & 0xff);
+        decoded_ += static_cast<char>(bits >> (16 - 8 * i) & 0xff);
     }
 }
 

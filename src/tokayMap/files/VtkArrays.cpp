@@ -6,10 +6,11 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
-#include <functional>
+#include <limits>
 #include <map>
 #include <sstream>
 
@@ -68,9 +69,10 @@ std::vector<double> parsed(const char* text) {
     return values;
 }
 
+constexpr std::size_t largestRatio = 1032; // of zlib
+
 /// @param compressed  a block
 std::string inflated(const std::string& compressed, std::size_t size) {
-    constexpr std::size_t largestRatio = 1032; // of zlib
     if (size / largestRatio > compressed.size()) {
         throw InputError(
             fmt::format("a block of {} bytes cannot grow to {}", compressed.size(), size));
@@ -89,7 +91,9 @@ std::string inflated(const std::string& compressed, std::size_t size) {
 } // namespace
 
 VtkArrays::VtkArrays(const std::string& path) : path_(path) {
-    splitOffAppended(contentOf(path));
+    const std::string content = contentOf(path);
+    fileSize_ = content.size();
+    splitOffAppended(content);
     readAttributes();
 }
 
@@ -161,6 +165,18 @@ std::vector<double> VtkArrays::numbers(pugi::xml_node array, std::size_t n) cons
                          array.attribute("Name").as_string(), values.size(), n));
     }
     return values;
+}
+
+std::size_t VtkArrays::count(pugi::xml_node node, const char* attribute,
+                             std::size_t fallback) const {
+    const std::size_t n = node.attribute(attribute).as_ullong(fallback);
+    const std::size_t most =
+        std::min<std::size_t>(fileSize_ * largestRatio, std::numeric_limits<int>::max());
+    if (n > most) {
+        fail(fmt::format("{}: {} is more than a file of {} bytes can hold", attribute,
+                         node.attribute(attribute).value(), fileSize_));
+    }
+    return n;
 }
 
 pugi::xml_node VtkArrays::arrayIn(pugi::xml_node parent, const std::string& name) const {

@@ -28,6 +28,10 @@ class VtkArrays {
     /// @throws InputError too if there are not
     std::vector<double> numbers(pugi::xml_node array, std::size_t n) const;
 
+    /// Count that an attribute announces; fallback if it is not there.
+    /// @throws InputError if a file of this size cannot hold as many
+    std::size_t count(pugi::xml_node node, const char* attribute, std::size_t fallback = 0) const;
+
     /// DataArray element in another one; the first if no name is given.
     /// @throws InputError if there is none
     pugi::xml_node arrayIn(pugi::xml_node parent, const std::string& name = "") const;
@@ -44,6 +48,7 @@ class VtkArrays {
     std::string uncompressed(ByteStream& stream) const;
 
     std::string path_;
+    std::size_t fileSize_ = 0;
     pugi::xml_document document_;
     std::string appended_;
     ByteEncoding appendedEncoding_ = ByteEncoding::raw;

@@ -40,13 +40,13 @@ class VtkReader {
     std::size_t nVertices() const { return coordinates_.size() / 3; }
 
     void addPiece(pugi::xml_node piece) {
-        const std::size_t n = piece.attribute("NumberOfPoints").as_ullong();
+        const std::size_t n = arrays_.count(piece, "NumberOfPoints");
         if (n == 0) {
             return;
         }
         const std::size_t firstVertex = nVertices(), firstCell = cells_.size();
         append(arrays_.numbers(arrays_.arrayIn(piece.child("Points")), 3 * n), coordinates_);
-        for (VtkCell& cell : readVtkCells(arrays_, piece, n)) {
+        for (MeshCell& cell : readVtkCells(arrays_, piece, n)) {
             for (int& vertex : cell.vertices) {
                 vertex += static_cast<int>(firstVertex);
             }
@@ -67,7 +67,7 @@ class VtkReader {
     /// @param before  rows that the field must have from the pieces before
     void addField(pugi::xml_node array, ValuesAt at, std::size_t before, std::size_t n) {
         const std::string name = array.attribute("Name").as_string();
-        const std::size_t nComponents = array.attribute("NumberOfComponents").as_ullong(1);
+        const std::size_t nComponents = arrays_.count(array, "NumberOfComponents", 1);
         Values& field = fields_[{at, name}];
         if (before == 0) {
             field.nComponents = nComponents;
@@ -81,7 +81,7 @@ class VtkReader {
 
     MeshFile finished() {
         int dimension = 0;
-        for (const VtkCell& cell : cells_) {
+        for (const MeshCell& cell : cells_) {
             dimension = std::max(dimension, cell.dimension);
         }
         if (dimension == 0) {
@@ -130,7 +130,7 @@ class VtkReader {
 
     VtkArrays arrays_;
     std::vector<double> coordinates_;
-    std::vector<VtkCell> cells_;
+    std::vector<MeshCell> cells_;
     std::map<std::pair<ValuesAt, std::string>, Values> fields_;
 };
 

@@ -1,25 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tokayMap/files/readVtkCells.hpp"
 
-#include <fmt/format.h>
+#include "common/VtuFile.hpp"
 
-#include <map>
+#include <fmt/format.h>
 
 namespace tokay::tool {
 
 namespace {
 
-/// VTK's numbers of those cells that are read.
-enum CellType { polyVertex = 2, polyLine = 4, triangleStrip = 6, polygon = 7, pixel = 8 };
+/// Dimension of the cells of a type; -1 if it is not read.
+int dimensionOf(VtkCell type) {
+    switch (type) {
+    case VtkCell::empty:
+    case VtkCell::vertex:
+    case VtkCell::polyVertex:
+        return 0;
+    case VtkCell::line:
+    case VtkCell::polyLine:
+        return 1;
+    case VtkCell::triangle:
+    case VtkCell::quadrilateral:
+    case VtkCell::polygon:
+    case VtkCell::pixel:
+        return 2;
+    default:
+        return -1;
+    }
+}
 
-/// -1 for a type that is not read.
-int dimensionOf(int type) {
-    static const std::map<int, int> dimensions = {
-        {0, 0}, {1, 0}, {polyVertex, 0}, {3, 1},     {polyLine, 1},
-        {5, 2}, {9, 2}, {polygon, 2},    {pixel, 2},
-    };
-    const auto found = dimensions.find(type);
-    return found == dimensions.end() ? -1 : found->second;
+std::vector<VtkCell> typesOf(const VtkArrays& arrays, pugi::xml_node cells, std::size_t n) {
+    std::vector<VtkCell> types;
+    for (const double number : arrays.numbers(arrays.arrayIn(cells, "types"), n)) {
+        if (!(number >= 0 && number < 256)) {
+            arrays.fail(fmt::format("cell {} has VTK's type {}, which does not exist", types.size(),
+                                    number));
+        }
+        types.push_back(static_cast<VtkCell>(number));
+    }
+    return types;
 }
 
 class CellReader {
@@ -28,7 +47,7 @@ class CellReader {
         : arrays_(arrays), nVertices_(static_cast<double>(nVertices)) {}
 
     /// @param place  element with connectivity and offsets
-    void add(pugi::xml_node place, const std::vector<double>& types) {
+    void add(pugi::xml_node place, const std::vector<VtkCell>& types) {
         if (types.empty()) {
             return;
         }
@@ -42,22 +61,22 @@ class CellReader {
                 arrays_.fail(fmt::format("cell {} ends at {} of {} vertex numbers", cells_.size(),
                                          ends[i], vertices.size()));
             }
-            addCell(static_cast<int>(types[i]), {vertices.begin() + static_cast<long>(begin),
-                                                 vertices.begin() + static_cast<long>(ends[i])});
+            addCell(types[i], {vertices.begin() + static_cast<long>(begin),
+                               vertices.begin() + static_cast<long>(ends[i])});
             begin = ends[i];
         }
     }
 
-    std::vector<VtkCell> take() { return std::move(cells_); }
+    std::vector<MeshCell> take() { return std::move(cells_); }
 
   private:
-    void addCell(int type, const std::vector<double>& vertices) {
-        VtkCell cell{dimensionOf(type), {}};
+    void addCell(VtkCell type, const std::vector<double>& vertices) {
+        MeshCell cell{dimensionOf(type), {}};
         if (cell.dimension < 0) {
             arrays_.fail(fmt::format("cell {} has VTK's type {}, which is not supported: lines, "
                                      "triangles, quadrilaterals and polygons are; of a volume, "
                                      "extract the surface",
-                                     cells_.size(), type));
+                                     cells_.size(), static_cast<int>(type)));
         }
         for (const double vertex : vertices) {
             if (!(vertex >= 0 && vertex < nVertices_)) {
@@ -68,7 +87,7 @@ class CellReader {
             }
             cell.vertices.push_back(static_cast<int>(vertex));
         }
-        if (type == pixel && cell.vertices.size() == 4) {
+        if (type == VtkCell::pixel && cell.vertices.size() == 4) {
             std::swap(cell.vertices[2], cell.vertices[3]);
         }
         cells_.push_back(std::move(cell));
@@ -76,24 +95,24 @@ class CellReader {
 
     const VtkArrays& arrays_;
     double nVertices_;
-    std::vector<VtkCell> cells_;
+    std::vector<MeshCell> cells_;
 };
 
 } // namespace
 
-std::vector<VtkCell> readVtkCells(const VtkArrays& arrays, pugi::xml_node piece,
-                                  std::size_t nVertices) {
+std::vector<MeshCell> readVtkCells(const VtkArrays& arrays, pugi::xml_node piece,
+                                   std::size_t nVertices) {
     CellReader reader(arrays, nVertices);
     if (const pugi::xml_node cells = piece.child("Cells")) {
-        reader.add(cells, arrays.numbers(arrays.arrayIn(cells, "types"),
-                                         piece.attribute("NumberOfCells").as_ullong()));
+        reader.add(cells, typesOf(arrays, cells, arrays.count(piece, "NumberOfCells")));
     }
-    const std::pair<const char*, int> kinds[] = {
-        {"Verts", polyVertex}, {"Lines", polyLine}, {"Polys", polygon}, {"Strips", triangleStrip}};
+    const std::pair<const char*, VtkCell> kinds[] = {{"Verts", VtkCell::polyVertex},
+                                                     {"Lines", VtkCell::polyLine},
+                                                     {"Polys", VtkCell::polygon},
+                                                     {"Strips", VtkCell::triangleStrip}};
     for (const auto& [kind, type] : kinds) {
-        const std::string count = std::string("NumberOf") + kind;
-        const std::size_t n = piece.attribute(count.c_str()).as_ullong();
-        reader.add(piece.child(kind), std::vector<double>(n, type));
+        const std::size_t n = arrays.count(piece, (std::string("NumberOf") + kind).c_str());
+        reader.add(piece.child(kind), std::vector<VtkCell>(n, type));
     }
     return reader.take();
 }
