@@ -49,9 +49,11 @@ void checkPoints(const Points& points) {
                          "empty");
     }
     for (Eigen::Index i = 0; i < points.rows(); ++i) {
-        if (!points.row(i).allFinite()) {
-            throw InputError(fmt::format("interface point {} is ({}, {}, {}), not finite", i,
-                                         points(i, 0), points(i, 1), points(i, 2)));
+        constexpr double most = 1e50; // squares and products of more overflow
+        if (!(points.row(i).array().abs() <= most).all()) {
+            throw InputError(fmt::format("interface point {} is ({}, {}, {}): coordinates must be "
+                                         "finite and at most {:g}",
+                                         i, points(i, 0), points(i, 1), points(i, 2), most));
         }
     }
 }

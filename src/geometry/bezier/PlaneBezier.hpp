@@ -45,7 +45,7 @@ class PlaneBezier {
     /// The curve in coordinates (point - origin) * scale, for each direction.
     PlaneBezier scaled(const Parameters& origin, const Parameters& scale) const;
 
-    /// Box of the control points, which holds the curve.
+    /// Box of the control points, which contains the curve.
     ParameterBox box() const;
 
     /// Appends the start and points after it, the end left out, such that chords

@@ -77,8 +77,10 @@ void include(const CurveOnSurface& from, const CurveOnSurface& to, EdgeGap& gap)
 
 } // namespace
 
-BrepModel::BrepModel(std::vector<BrepFace> faces, std::vector<BrepEdge> edges, double tolerance)
-    : faces_(std::move(faces)), edges_(std::move(edges)), tolerance_(tolerance) {
+BrepModel::BrepModel(std::vector<BrepFace> faces, std::vector<BrepEdge> edges, double tolerance,
+                     std::vector<std::string> remarks)
+    : faces_(std::move(faces)), edges_(std::move(edges)), tolerance_(tolerance),
+      remarks_(std::move(remarks)) {
     if (faces_.empty()) {
         throw InputError("the model has no face: give it at least one");
     }
@@ -179,10 +181,10 @@ void BrepModel::requireGapsBelow(double limit) const {
 BrepModel BrepModel::refined(int degreeU, int degreeV, int nDivisionsU, int nDivisionsV) const {
     std::vector<BrepFace> faces;
     for (const BrepFace& face : faces_) {
-        faces.push_back({face.patch.refined(degreeU, degreeV, nDivisionsU, nDivisionsV),
-                         face.isNormalSwapped, face.embeddedCurves});
+        faces.push_back(
+            {face.patch.refined(degreeU, degreeV, nDivisionsU, nDivisionsV), face.embeddedCurves});
     }
-    return BrepModel(std::move(faces), edges_, tolerance_);
+    return BrepModel(std::move(faces), edges_, tolerance_, remarks_);
 }
 
 } // namespace tokay::geometry

@@ -12,8 +12,6 @@ namespace tokay::geometry {
 /// A face of a model.
 struct BrepFace {
     TrimmedPatch patch;
-    /// The face's outside is opposite to the surface's normal (xi x eta).
-    bool isNormalSwapped = false;
     /// Curves in the parameter space that lie on the face without trimming it.
     std::vector<NurbsCurve> embeddedCurves = {};
 };
@@ -49,13 +47,15 @@ class BrepModel {
     /// @param tolerance  gap at edges that the model is meant to have [m]; 0 if unknown
     /// @throws InputError if there is no face, names are not unique, or an edge
     /// names a face or curve that does not exist.
+    /// @param remarks    what the reader of a file corrected or did not use, for the log
     explicit BrepModel(std::vector<BrepFace> faces, std::vector<BrepEdge> edges = {},
-                       double tolerance = 0);
+                       double tolerance = 0, std::vector<std::string> remarks = {});
 
     const std::vector<BrepFace>& faces() const { return faces_; }
     const std::vector<BrepEdge>& edges() const { return edges_; }
     const TrimmedPatch& patch(int face) const { return faces_[face].patch; }
     double tolerance() const { return tolerance_; }
+    const std::vector<std::string>& remarks() const { return remarks_; }
 
     /// Largest extent of the control points [m].
     double size() const;
@@ -81,6 +81,7 @@ class BrepModel {
     std::vector<BrepFace> faces_;
     std::vector<BrepEdge> edges_;
     double tolerance_;
+    std::vector<std::string> remarks_;
 };
 
 /// True if the second curve runs as the first does, by their points.

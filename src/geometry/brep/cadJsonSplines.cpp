@@ -7,7 +7,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace tokay::geometry {
 
@@ -113,8 +115,14 @@ NurbsCurve readCurve(const LocatedNode& node) {
         return curve;
     }
     const LocatedNode active = node.required("active_range");
-    const std::vector<double> range = active.numbers(2);
-    if (range[0] == curve.knotVector().first() && range[1] == curve.knotVector().last()) {
+    std::vector<double> range = active.numbers(2);
+    const double first = curve.knotVector().first(), last = curve.knotVector().last();
+    for (double& end : range) {
+        const double inside = std::clamp(end, first, last);
+        constexpr double rounding = 1e-6; // gaps that this leaves are the loops' to close
+        end = std::abs(end - inside) <= rounding * (last - first) ? inside : end;
+    }
+    if (range[0] == first && range[1] == last) {
         return curve;
     }
     return active.make([&] { return partOf(curve, range[0], range[1]); });

@@ -69,7 +69,7 @@ class AcceptedSearch {
     }
 
   private:
-    /// Where the closest place is refused, another minimum beside it may count:
+    /// Where the closest place is refused, another minimum near it may count:
     /// quarters are searched unless all of the range must be too far.
     void search(const BezierPatch& patch, const ParameterRange& range, const Parameters& start,
                 int depth) {

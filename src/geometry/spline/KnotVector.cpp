@@ -41,6 +41,29 @@ void checkSequence(int degree, const std::vector<double>& knots) {
     }
 }
 
+/// Spans must be resolved by double precision: what is computed in them is
+/// divided by their lengths, and recursions halve them.
+void checkSpans(const KnotVector& knots) {
+    const std::vector<double>& at = knots.breakpoints();
+    const double largest = std::max(std::abs(at.front()), std::abs(at.back()));
+    constexpr double least = 1e-50, most = 1e50;
+    if (!(largest < most)) {
+        throw InputError(
+            fmt::format("the knots reach from {} to {}: their magnitude must be below {:g}; scale "
+                        "the parameters",
+                        at.front(), at.back(), most));
+    }
+    for (std::size_t i = 1; i < at.size(); ++i) {
+        const double span = at[i] - at[i - 1];
+        if (!(span > std::max(least, 1e-14 * largest))) {
+            throw InputError(fmt::format("the knot span from {} to {} is too short for double "
+                                         "precision: make both the same knot, or scale and shift "
+                                         "the parameters",
+                                         at[i - 1], at[i]));
+        }
+    }
+}
+
 void checkMultiplicities(int degree, const KnotVector& knots) {
     for (const double knot : knots.breakpoints()) {
         const int multiplicity = knots.multiplicity(knot);
@@ -120,6 +143,7 @@ KnotVector::KnotVector(int degree, std::vector<double> knots)
     : degree_(degree), knots_(std::move(knots)) {
     checkSequence(degree_, knots_);
     std::unique_copy(knots_.begin(), knots_.end(), std::back_inserter(breakpoints_));
+    checkSpans(*this);
     checkMultiplicities(degree_, *this);
 }
 

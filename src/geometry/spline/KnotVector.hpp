@@ -40,7 +40,7 @@ class KnotVector {
     int multiplicity(double knot) const;
 
     /// The span i, not empty, with knot i <= xi < knot i+1. The last span also
-    /// holds its end; a xi outside the range gets the first or the last span.
+    /// contains its end; a xi outside the range gets the first or the last span.
     int findSpan(double xi) const;
 
     /// Values and derivatives of the degree + 1 functions of a span.

@@ -13,7 +13,7 @@ class SurfaceEvaluator {
     /// Borrows the surface.
     explicit SurfaceEvaluator(const NurbsSurface& surface);
 
-    /// Goes to the knot span that holds a place.
+    /// Goes to the knot span that contains a location.
     void enter(const Parameters& place);
     /// Evaluates the polynomials of the present span, beyond its ends too: so
     /// rounding at a knot line makes no other list of functions.

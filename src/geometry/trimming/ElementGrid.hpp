@@ -19,7 +19,7 @@ class ElementGrid {
     ParameterBox box(int element) const;
     /// Box around all elements.
     ParameterBox box() const;
-    /// The element that holds a point; beyond the rim the nearest. A point on a
+    /// Element that contains a point; beyond the rim the nearest. A point on a
     /// knot line belongs to the element after it.
     int elementAt(const Parameters& point) const;
 

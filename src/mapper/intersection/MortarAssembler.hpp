@@ -61,7 +61,7 @@ class MortarAssembler {
     std::vector<Eigen::Triplet<double>> mass_, cross_;
     std::vector<char> isOnInterface_;
 
-    /// The first nParts_ belong to the current group; the rest are memory to reuse.
+    /// The first nParts_ belong to the current group; the others are memory to reuse.
     std::vector<Part> parts_;
     std::size_t nParts_ = 0;
 };

@@ -51,7 +51,7 @@ class Plane {
         return polygon;
     }
 
-    /// A rectangle of the plane that holds the box's projection.
+    /// A rectangle of the plane that contains the box's projection.
     Rectangle project(const geometry::Box& box) const {
         const Eigen::Vector2d middle = project(box.centre());
         const Eigen::Vector2d half = 0.5 * (axes_.cwiseAbs() * (box.upper - box.lower));

@@ -11,7 +11,7 @@
 namespace tokay::mapper {
 
 /// Solves M x = b with a singular M, and of all solutions takes the one with the
-/// least x^T G x: the trace fixes what it can, the gradient term G the rest. This is the
+/// least x^T G x: the trace fixes what it can, the gradient term G the others. This is the
 /// limit of small epsilon of EGM's functional
 ///   1/2 int_edge (u - uBar)^2 + epsilon/2 int_whole cut elements (du/dn)^2,
 /// so the trace is the one of any other choice, and fields that do not change across the

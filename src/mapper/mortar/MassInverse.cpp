@@ -94,7 +94,7 @@ MassInverse::MassInverse(const RowSparseMatrix& matrix, SingularMass singular,
         throw SolverError("the mass matrix is zero: the two sides of the interface do "
                           "not meet");
     }
-    // Beyond this condition Cholesky's answer has no digit that SPQR would call certain.
+    // Beyond this condition Cholesky's solution has no digit that SPQR would call certain.
     constexpr double largestCondition = 1e13;
     auto cholesky = std::make_unique<Cholesky>(reduced_);
     if (cholesky->succeeded()) {

@@ -73,15 +73,15 @@ class Sparse : public RbfInterpolant {
 
     Eigen::MatrixXd apply(const Eigen::MatrixXd& values) const override {
         const Eigen::MatrixXd b = schur_.solve(solvedPolynomials_.transpose() * values);
-        const Eigen::MatrixXd rest = values - polynomials_ * b;
-        return kernelsThere_ * factorised_.solve(rest) + polynomialsThere_ * b;
+        const Eigen::MatrixXd remainder = values - polynomials_ * b;
+        return kernelsThere_ * factorised_.solve(remainder) + polynomialsThere_ * b;
     }
     Eigen::MatrixXd applyTransposed(const Eigen::MatrixXd& forces) const override {
         const Eigen::MatrixXd spread = kernelsThere_.transpose() * forces;
         const Eigen::MatrixXd c = factorised_.solve(spread);
-        const Eigen::MatrixXd rest =
+        const Eigen::MatrixXd remainder =
             polynomialsThere_.transpose() * forces - polynomials_.transpose() * c;
-        return c + solvedPolynomials_ * schur_.solve(rest);
+        return c + solvedPolynomials_ * schur_.solve(remainder);
     }
     double bytes() const override { return bytesOf(kernelsThere_); }
 
