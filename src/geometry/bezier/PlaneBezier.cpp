@@ -173,11 +173,7 @@ std::vector<double> PlaneBezier::extrema(int axis) const {
     if (X.cwiseAbs().maxCoeff() <= 1e-15 * std::abs(middle) * W.maxCoeff()) {
         return {}; // constant but for rounding
     }
-    const Eigen::VectorXd numerator = product(derivative(X), W) - product(X, derivative(W));
-    Points points = Points::Zero(numerator.size(), 3);
-    points.col(0) = numerator;
-    const int n = static_cast<int>(numerator.size()) - 1;
-    return parameterCrossings(NurbsCurve(KnotVector::uniform(n, 1), std::move(points)), 0, 0.0);
+    return bernsteinRoots(product(derivative(X), W) - product(X, derivative(W)));
 }
 
 double PlaneBezier::parameterAt(int axis, double value) const {
