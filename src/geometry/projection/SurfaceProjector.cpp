@@ -90,7 +90,7 @@ class AcceptedSearch {
         }
     }
 
-    /// Normal of a part of a nearly flat patch, by its diagonals.
+    /// Diameter of a part of a nearly flat patch, by its diagonals.
     static double diameter(const BezierPatch& patch, const ParameterRange& range) {
         const auto at = [&](double xi, double eta) -> Point {
             return patch.derivatives({xi, eta}).row(0);
