@@ -57,7 +57,7 @@ VectorXd areas(const mapper::SurfaceMesh& mesh) {
 }
 
 /// Root mean square of a pressure's deviation from 1 over the structure.
-double deviation(const VectorXd& pressure, const mapper::SparseMatrix& mass) {
+double deviation(const VectorXd& pressure, const mapper::RowSparseMatrix& mass) {
     const VectorXd error = pressure - VectorXd::Ones(pressure.size());
     const VectorXd ones = VectorXd::Ones(pressure.size());
     return std::sqrt(error.dot(mass * error) / ones.dot(mass * ones));

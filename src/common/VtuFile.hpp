@@ -7,6 +7,24 @@
 
 namespace tokay {
 
+/// Cell types, by VTK's numbers.
+enum class VtkCell : std::uint8_t {
+    empty = 0,
+    vertex = 1,
+    polyVertex = 2,
+    line = 3,
+    polyLine = 4,
+    triangle = 5,
+    triangleStrip = 6,
+    polygon = 7,
+    pixel = 8,
+    quadrilateral = 9,
+    hexahedron = 12,
+    bezierCurve = 75,
+    bezierQuadrilateral = 77,
+    bezierHexahedron = 79
+};
+
 /// An unstructured grid and its fields as ParaView reads them (.vtu): the
 /// description as XML, the numbers appended in binary.
 class VtuFile {
@@ -17,10 +35,9 @@ class VtuFile {
     /// @param coordinates   x, y, z of each point [m]
     /// @param connectivity  points of each cell, cell after cell
     /// @param ends          where in the connectivity each cell ends
-    /// @param types         VTK's cell types
     void beginPiece(const std::vector<double>& coordinates,
                     const std::vector<std::int64_t>& connectivity,
-                    const std::vector<std::int64_t>& ends, const std::vector<std::uint8_t>& types);
+                    const std::vector<std::int64_t>& ends, const std::vector<VtkCell>& types);
 
     /// A field of the piece; all pieces must have the same ones.
     /// @param values     nComponents for each point or cell; six are a symmetric
@@ -37,7 +54,7 @@ class VtuFile {
     void write(const std::string& path) const;
 
   private:
-    /// Element of the XML and what it holds.
+    /// Element of the XML and its content.
     struct Section {
         std::string attributes, arrays;
     };

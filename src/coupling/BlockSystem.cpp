@@ -66,9 +66,9 @@ Eigen::VectorXd BlockSystem::solve(Eigen::VectorXd d, double tolerance) const {
             return d;
         }
     }
-    throw SolverError("The structure's answer to the fluid was not found in " +
+    throw SolverError("the structure's answer to the fluid was not found in " +
                       std::to_string(largestIterations) +
-                      " iterations of Newton's method: use smaller time steps.");
+                      "iterations of Newton's method: use smaller time steps");
 }
 
 } // namespace tokay::coupling

@@ -33,9 +33,10 @@ ConvergenceCriteria::ConvergenceCriteria(const CouplingOptions& options, double 
     : tolerance_(tolerance), absoluteDisplacement_(options.absoluteDisplacement),
       relativeForce_(options.relativeForce), absoluteForce_(options.absoluteForce) {
     if (!(tolerance > 0 && tolerance <= 1)) {
-        throw InputError("The coupling tolerance is " + std::to_string(tolerance) +
-                         ": it must be above 0, and below 1 unless the coupling is explicit. It "
-                         "is the fluid's residualControl for the structure.");
+        throw InputError("the coupling tolerance is " + std::to_string(tolerance) +
+                         ": it must be above 0, and below 1 unless the coupling is "
+                         "explicit; it is the fluid's residualControl for the "
+                         "structure");
     }
 }
 
@@ -58,7 +59,7 @@ double ConvergenceCriteria::forceRatio(const Eigen::VectorXd& forces) {
         return 0;
     }
     if (forces.size() == 0) {
-        throw SolverError("The criterion on the force needs the forces of each exchange.");
+        throw SolverError("the criterion on the force needs the forces of each exchange");
     }
     double result = 1 / tolerance_;
     if (previousForces_.size() == forces.size()) {

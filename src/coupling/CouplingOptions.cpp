@@ -13,8 +13,7 @@ namespace {
 void require(bool valid, const std::string& name, double value, const std::string& allowed) {
     if (!valid) {
         std::ostringstream text;
-        text << "The coupling option " << name << " is " << value << ": it must be " << allowed
-             << ".";
+        text << "the coupling option " << name << " is " << value << ": it must be " << allowed;
         throw InputError(text.str());
     }
 }

@@ -11,9 +11,14 @@ namespace tokay::mapper {
 using geometry::Point;
 using geometry::Points;
 
-/// A value at a place of a discretisation is the sum of weights times values.
+/// Where a mesh carries its values: a finite element mesh at its vertices, a
+/// finite volume mesh on its faces.
+enum class ValuesAt { vertices, faces };
+
+/// Basis functions at a place of a discretisation: a value there is the sum of weights times
+/// values.
 struct Functions {
-    /// Numbers of the values, and the weight of each.
+    /// Indices of the values, and the weight of each.
     std::vector<int> values;
     Eigen::VectorXd weights;
 };
@@ -23,17 +28,17 @@ struct Location : Functions {
     /// Distance from the point to its projection [m].
     double gap;
     bool converged;
-    /// Another place is as near.
+    /// True if another place is as near.
     bool ambiguous;
 };
 
-/// One side of an interface: a field on it is given by nValues() numbers
+/// Discretisation of one side of an interface: a field on it is given by nValues() numbers
 /// (values of vertices, faces or control points).
 class Discretisation {
   public:
     virtual ~Discretisation() = default;
 
-    /// What the mapping from it by locate() is called in reports.
+    /// Name of the mapping from it by locate(), for reports.
     virtual std::string mappingName() const { return "nearest element"; }
 
     virtual int nValues() const = 0;

@@ -34,22 +34,26 @@ void GapStatistics::enter(MappingReport& report) const {
     if (!limit_.refuse || report.relativeGap <= limit_.relative) {
         return;
     }
-    throw InputError(fmt::format(
-        "The two sides of the interface do not lie on each other: point {} at ({:.6g}, {:.6g}, "
-        "{:.6g}) is {:.4g} m away, {:.3g} of the interface size; the limit is {:.3g} ({} of {} "
-        "points are beyond it). Check position and units of both sides, or raise the limit.",
-        worst_, worstPoint_[0], worstPoint_[1], worstPoint_[2], largest_, report.relativeGap,
-        limit_.relative, nUnmatched_, nPoints_));
+    throw InputError(fmt::format("the two sides of the interface do not lie on each other: "
+                                 "point {} at ({:.6g}, {:.6g}, {:.6g}) is {:.4g} m away, "
+                                 "{:.3g} of the interface size; the limit is {:.3g} ({} of {} "
+                                 "points are beyond it); check position and units of both "
+                                 "sides, or raise the limit",
+                                 worst_, worstPoint_[0], worstPoint_[1], worstPoint_[2], largest_,
+                                 report.relativeGap, limit_.relative, nUnmatched_, nPoints_));
 }
 
 void checkPoints(const Points& points) {
     if (points.rows() == 0) {
-        throw InputError("There is no point to map to: the other side's interface is empty.");
+        throw InputError("there is no point to map to: the other side's interface is "
+                         "empty");
     }
     for (Eigen::Index i = 0; i < points.rows(); ++i) {
-        if (!points.row(i).allFinite()) {
-            throw InputError(fmt::format("Interface point {} is ({}, {}, {}), not finite.", i,
-                                         points(i, 0), points(i, 1), points(i, 2)));
+        constexpr double most = 1e50; // squares and products of more overflow
+        if (!(points.row(i).array().abs() <= most).all()) {
+            throw InputError(fmt::format("interface point {} is ({}, {}, {}): coordinates must be "
+                                         "finite and at most {:g}",
+                                         i, points(i, 0), points(i, 1), points(i, 2), most));
         }
     }
 }

@@ -24,7 +24,7 @@ class GapStatistics {
     /// @return whether the point is matched
     bool count(const Point& point, double gap, bool converged, bool ambiguous, double measure = 1);
 
-    /// A part of the destination that the source does not reach at all.
+    /// Counts a part of the destination that the source does not reach at all.
     void countUncovered(double measure) { measure_ += measure; }
 
     /// Enters counts, gaps and coverage in the report.

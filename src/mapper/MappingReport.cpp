@@ -22,8 +22,8 @@ std::string MappingReport::text() const {
                         nInverted, rank, rank < nInverted ? " (singular)" : "", condition);
     }
     if (!regularisation.empty()) {
-        text += fmt::format("  the trace of {} functions has only {} dimensions: the rest of their "
-                            "values is chosen by the {}\n",
+        text += fmt::format("  the trace of {} functions has only {} dimensions: the other "
+                            "values are chosen by the {}\n",
                             nInverted, rank, regularisation);
     }
     return text + fmt::format("  built in {:.3g} s, {:.3g} MB\n", seconds, bytes / 1e6);

@@ -7,7 +7,7 @@
 
 namespace tokay::mapper {
 
-/// What a mapping found and how well it keeps what it should keep. Errors are
+/// Matching, conservation and cost of a mapping. Errors are
 /// relative; a moment error above rounding is the moment of forces over gaps.
 struct MappingReport {
     std::string method;
@@ -17,7 +17,7 @@ struct MappingReport {
     int nUnmatched = 0;
     /// Points with two projections equally near.
     int nAmbiguous = 0;
-    /// Share of the destination that is matched, 0 to 1.
+    /// Fraction of the destination that is matched, 0 to 1.
     double coverage = 0;
     /// Largest distance of a point to its projection [m], and where it is.
     double largestGap = 0;
@@ -37,16 +37,17 @@ struct MappingReport {
     int nInverted = 0;
     int rank = 0;
     double condition = 0;
-    /// How values were chosen that a singular matrix leaves open; empty if none.
+    /// Rule for values that a singular matrix leaves open; empty if none.
     std::string regularisation;
-    /// To build the mapping.
+    /// Wall-clock time to build the mapping [s].
     double seconds = 0;
+    /// Memory of the matrices [byte].
     double bytes = 0;
 
-    /// A few lines for a person.
+    /// Report of a few lines for a person.
     std::string text() const;
 
-    /// The same for programs, names with their units.
+    /// Report for programs, names with their units.
     JsonObject json() const;
 };
 

@@ -20,7 +20,7 @@ Point moment(const Points& positions, const Points& forces, const Point& about) 
 
 } // namespace
 
-Points testForces(Eigen::Index n) {
+Points probeForces(Eigen::Index n) {
     Points forces(n, 3);
     for (Eigen::Index i = 0; i < n; ++i) {
         forces.row(i) << 1 + std::sin(1.0 + i), std::cos(2.0 * i) - 0.5, std::sin(3.0 * i) + 0.3;

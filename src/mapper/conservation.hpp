@@ -7,7 +7,7 @@
 namespace tokay::mapper {
 
 /// n forces without symmetry, the same in every run.
-Points testForces(Eigen::Index n);
+Points probeForces(Eigen::Index n);
 
 /// Maps forces by the transpose and enters in the report how well their sum and
 /// their moment are kept.

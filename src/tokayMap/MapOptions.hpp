@@ -5,23 +5,24 @@
 
 namespace tokay::tool {
 
-/// What the command line asks for.
+/// Options of the command line.
 struct MapOptions {
     std::string from, to;
-    /// One of the three: a field of the file, a file of values, a formula in x, y, z.
+    /// Values to map, one of the three: a field of the file, a file of values, or a
+    /// formula in x, y, z.
     std::string field, valuesFile, testFunction;
-    /// Forces from one side to the other by the transpose of the mapping back.
+    /// Maps forces, by the transpose of the mapping back.
     bool conservative = false;
     OperatorOptions mapping;
-    /// Empty: where the field is.
+    /// Location of the values of `from`; empty: where the field is.
     std::optional<mapper::ValuesAt> fromAt;
     mapper::ValuesAt toAt = mapper::ValuesAt::vertices;
-    /// Empty: the files' lengths are metres, and sizes that differ a hundredfold
+    /// Units of the files' lengths [m]; empty: metres, and sizes that differ a hundredfold
     /// are refused.
     std::optional<double> scaleFrom, scaleTo;
     int degree = 1;
     int nDivisions = 1;
-    /// Files to write, if named.
+    /// Names of the files to write; empty: none.
     std::string output, report;
 
     SideOptions sideFrom(mapper::ValuesAt at) const {

@@ -7,7 +7,7 @@
 
 namespace tokay::tool {
 
-/// What a mapping between two files did, for a person and for programs.
+/// Report of a mapping between two files, for a person and for programs.
 class MapReport {
   public:
     MapReport(const Side& from, const Side& to, const mapper::MappingReport& mapping);

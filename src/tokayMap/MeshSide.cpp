@@ -2,7 +2,7 @@
 #include "common/errors.hpp"
 #include "mapper/interface/CurveInterface.hpp"
 #include "tokayMap/Side.hpp"
-#include "tokayMap/writeField.hpp"
+#include "tokayMap/files/writeField.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 
 #include "mapper/Discretisation.hpp"
 #include "mapper/interface/SurfaceMesh.hpp"
-#include "tokayMap/MeshFile.hpp"
+#include "tokayMap/files/MeshFile.hpp"
 
 #include <functional>
 #include <memory>
@@ -12,14 +12,14 @@ namespace tokay::tool {
 
 using ScalarFunction = std::function<double(const Point&)>;
 
-/// One side of a mapping, as a file has it: a mesh or a spline model. Its values
+/// Side of a mapping, as a file has it: a mesh or a spline model. Its values
 /// are those of its discretisation; what is written are samples, the field at
 /// samplePoints().
 class Side {
   public:
     virtual ~Side() = default;
 
-    /// For a person, in a line.
+    /// Description for a person, in a line.
     virtual std::string description() const = 0;
 
     /// @throws InputError for an operator that needs values at points, if this
@@ -48,9 +48,9 @@ class Side {
 struct SideOptions {
     /// Lengths of the file times this are metres.
     double scale = 1;
-    /// Of a mesh.
+    /// Location of the values of a mesh.
     mapper::ValuesAt valuesAt = mapper::ValuesAt::vertices;
-    /// Of a spline model: its basis is refined to at least this degree, and each
+    /// Refinement of a spline model: its basis is raised to at least this degree, and each
     /// knot span divided into so many.
     int degree = 1;
     int nDivisions = 1;

@@ -6,11 +6,11 @@
 
 namespace tokay::tool {
 
-/// The side from which is mapped and the values on it.
+/// Side that is mapped from, and the values on it.
 struct Source {
     std::unique_ptr<Side> side;
     Eigen::MatrixXd values;
-    /// Of the field.
+    /// Name of the field.
     std::string name;
 };
 

@@ -3,8 +3,8 @@
 #include "geometry/trimming/patchTriangles.hpp"
 #include "mapper/interface/SurfaceInterface.hpp"
 #include "tokayMap/Side.hpp"
+#include "tokayMap/files/writeField.hpp"
 #include "tokayMap/splineProjection.hpp"
-#include "tokayMap/writeField.hpp"
 
 #include <fmt/format.h>
 
@@ -49,7 +49,7 @@ mapper::SurfaceInterface interfaceOf(const geometry::BrepModel& model, const Sid
 class SplineSide : public Side {
   public:
     SplineSide(const std::string& path, const SideOptions& options)
-        : path_(path), splines_(interfaceOf(geometry::readCadJson(path).model, options)) {
+        : path_(path), splines_(interfaceOf(geometry::readCadJson(path), options)) {
         for (int piece = 0; piece < splines_.nPieces(); ++piece) {
             addSamples(piece);
         }

@@ -25,9 +25,10 @@ void checkSizes(const Side& from, const Side& to) {
     if (sizeFrom <= mostRatio * sizeTo && sizeTo <= mostRatio * sizeFrom) {
         return;
     }
-    throw InputError(fmt::format("The two sides differ in size by a factor of {:.4g}:\n  {}\n  {}\n"
-                                 "Is one in mm and the other in m? Give the first a scale "
-                                 "(--scale-from {:.4g}), or confirm the sizes (--scale-from 1).",
+    throw InputError(fmt::format("the two sides differ in size by a factor of {:.4g}:\n  "
+                                 "{}\n  {}\nis one in mm and the other in m? give the first a "
+                                 "scale (--scale-from {:.4g}), or confirm the sizes "
+                                 "(--scale-from 1)",
                                  std::max(sizeFrom / sizeTo, sizeTo / sizeFrom), from.description(),
                                  to.description(), likelyScale(sizeTo / sizeFrom)));
 }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/version.hpp"
+#include "geometry/bezier/PlaneBezier.hpp"
 #include "tokayMap/mapFiles.hpp"
 #include "tokayMap/readSide.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <cmath>
 #include <map>
 #include <new>
 
@@ -20,6 +22,16 @@ CLI::CheckedTransformer oneOf(const std::map<std::string, Value>& names) {
     transformer.description("");
     return transformer;
 }
+
+const CLI::Validator finitePositive(
+    [](const std::string& text) {
+        double value = 0;
+        const bool isNumber = CLI::detail::lexical_cast(text, value);
+        return isNumber && value > 0 && std::isfinite(value)
+                   ? std::string()
+                   : text + " is out of range; allowed: (0, inf)";
+    },
+    "POSITIVE");
 
 const std::map<std::string, mapper::ValuesAt> places = {{"vertices", mapper::ValuesAt::vertices},
                                                         {"faces", mapper::ValuesAt::faces}};
@@ -36,7 +48,7 @@ void addWhat(CLI::App& app, MapOptions& options) {
                      "Formula in x, y, z; the error against it is printed");
     what->require_option(0, 1);
     app.add_flag("--conservative", options.conservative,
-                 "The field are forces: keep their sum (transpose of the mapping back)");
+                 "The field holds forces: keep their sum (transpose of the mapping back)");
     app.add_option("-o,--output", options.output, "The mapped field, for ParaView (.vtu)");
     app.add_option("--report", options.report, "The report as JSON");
 }
@@ -51,7 +63,7 @@ void addOperator(CLI::App& app, tool::OperatorOptions& options) {
                                      {"mortar", Operator::mortar}}));
     app.add_option("--gap-limit", options.gapLimit,
                    "Largest gap, relative to the size of the source (0.01, rbf 0.1)")
-        ->check(CLI::PositiveNumber);
+        ->check(finitePositive);
     app.add_flag("--allow-gaps", options.allowGaps, "Count points beyond it, do not refuse them");
     app.add_option_function<std::string>(
         "--kernel",
@@ -66,9 +78,11 @@ void addOperator(CLI::App& app, tool::OperatorOptions& options) {
         ->transform(oneOf<RbfSolution>({{"automatic", RbfSolution::automatic},
                                         {"global", RbfSolution::global},
                                         {"partitionOfUnity", RbfSolution::partitionOfUnity}}));
-    app.add_option("--radius", options.rbf.radius, "rbf: of compact kernels [m]");
+    app.add_option("--radius", options.rbf.radius, "rbf: radius of compact kernels [m]")
+        ->check(finitePositive);
     app.add_option("--neighbours", options.rbf.nNeighbours,
-                   "rbf: of compact kernels, if no radius is given");
+                   "rbf: points within the radius of compact kernels, if no radius is given")
+        ->check(CLI::PositiveNumber);
     using mapper::MortarBasis;
     app.add_option("--basis", options.mortar.basis, "mortar: standard (default) or dual")
         ->transform(
@@ -85,13 +99,15 @@ void addSides(CLI::App& app, MapOptions& options) {
         ->transform(oneOf(places));
     app.add_option("--to-at", options.toAt, "Values of TO: vertices (default) or faces")
         ->transform(oneOf(places));
-    app.add_option("--degree", options.degree, "Of spline models, raised to it");
-    app.add_option("--divisions", options.nDivisions, "Of each knot span of spline models")
-        ->check(CLI::PositiveNumber);
+    app.add_option("--degree", options.degree, "Degree to which spline models are raised")
+        ->check(CLI::Range(1, geometry::PlaneBezier::maxDegree));
+    app.add_option("--divisions", options.nDivisions,
+                   "Parts into which each knot span of spline models is cut")
+        ->check(CLI::Range(1, 1000));
     app.add_option("--scale-from", options.scaleFrom, "Lengths of FROM times this are metres")
-        ->check(CLI::PositiveNumber);
+        ->check(finitePositive);
     app.add_option("--scale-to", options.scaleTo, "Lengths of TO times this are metres")
-        ->check(CLI::PositiveNumber);
+        ->check(finitePositive);
 }
 
 int runProgram(int argc, char** argv) {

@@ -28,13 +28,13 @@ mapper::GapLimit limited(mapper::GapLimit limit, const OperatorOptions& options)
 void requireValuesAtPoints(const Side& from, const char* name) {
     if (from.hasSplines()) {
         throw InputError(fmt::format("{}: the values of control points are coefficients, not "
-                                     "values at points, so {} cannot map from them. Choose "
-                                     "nearestElement or mortar.",
+                                     "values at points, so {} cannot map from them; choose "
+                                     "nearestElement or mortar",
                                      from.description(), name));
     }
 }
 
-/// Nothing if the sides are not of these kinds.
+/// Mortar mapping between sides of these kinds; null if they are of others.
 template <class From, class To>
 std::unique_ptr<Mapping> mortarBetween(const Discretisation& from, const Discretisation& to,
                                        const MortarOptions& options) {
@@ -58,8 +58,8 @@ std::unique_ptr<Mapping> mortar(const Side& from, const Side& to, const Operator
             return mapping;
         }
     }
-    throw InputError(fmt::format("mortar does not map between lines and surfaces:\n  {}\n  {}\n"
-                                 "Choose nearestElement.",
+    throw InputError(fmt::format("mortar does not map between lines and surfaces:\n  {}\n  "
+                                 "{}\nchoose nearestElement",
                                  from.description(), to.description()));
 }
 
@@ -96,7 +96,7 @@ std::unique_ptr<Mapping> makeMapping(const Side& from, const Side& to,
     case Operator::nearestElement:
         return nearest(from.discretisation(), to, options);
     }
-    throw InputError("no such operator.");
+    throw InputError("no such operator");
 }
 
 } // namespace tokay::tool

@@ -20,11 +20,11 @@ struct OperatorOptions {
     mapper::MortarOptions mortar;
 };
 
-/// Whether what is mapped are values of the destination's discretisation; if
+/// True if the mapping gives values of the destination's discretisation; if
 /// not, they are its samples.
 bool givesValues(Operator kind);
 
-/// The consistent mapping between two sides.
+/// Makes the consistent mapping between two sides.
 /// @throws InputError, SolverError as the mappings do; InputError too for pairs
 /// for which the operator is not defined
 std::unique_ptr<mapper::Mapping> makeMapping(const Side& from, const Side& to,

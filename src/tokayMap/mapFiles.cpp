@@ -27,8 +27,8 @@ Transfer consistent(const Source& from, const Side& to, const OperatorOptions& o
 
 Transfer conservative(const Source& from, const Side& to, const OperatorOptions& options) {
     if (from.side->hasSplines() && !givesValues(options.kind)) {
-        throw InputError("Forces of control points are moments of a field over splines, not "
-                         "forces at points: map them by mortar.");
+        throw InputError("forces of control points are moments of a field over "
+                         "splines, not forces at points: map them by mortar");
     }
     Transfer transfer{makeMapping(to, *from.side, options), {}};
     transfer.result = transfer.mapping->applyTransposed(from.values);

@@ -2,8 +2,8 @@
 #include "tokayMap/readSide.hpp"
 
 #include "common/errors.hpp"
-#include "tokayMap/readObj.hpp"
-#include "tokayMap/readVtk.hpp"
+#include "tokayMap/files/readObj.hpp"
+#include "tokayMap/files/readVtk.hpp"
 
 #include <fmt/format.h>
 
@@ -33,8 +33,8 @@ MeshFile readMesh(const std::string& path) {
     if (kind == ".obj") {
         return readObj(path);
     }
-    throw InputError(fmt::format("{}: files that end in '{}' cannot be read: .vtu, .vtp and .obj "
-                                 "(meshes) and .json (cad.json, spline models) can.",
+    throw InputError(fmt::format("{}: files that end in '{}' cannot be read: .vtu, .vtp and "
+                                 ".obj (meshes) and .json (cad.json, spline models) can",
                                  path, kind));
 }
 
@@ -57,7 +57,7 @@ const MeshField& fieldNamed(const MeshFile& mesh, const std::string& path, const
         }
     }
     if (!found) {
-        throw InputError(fmt::format("{}: there is no field '{}'{}. There are:\n{}", path, name,
+        throw InputError(fmt::format("{}: there is no field '{}'{}; there are:\n{}", path, name,
                                      at ? fmt::format(" at {}", placeName(*at)) : "",
                                      listFields(mesh)));
     }

@@ -11,7 +11,7 @@ namespace tokay::tool {
 /// @throws InputError if it is another one
 MeshFile readMesh(const std::string& path);
 
-/// Whether the name is that of a spline model (.json).
+/// True if the name is that of a spline model (.json).
 bool isSplineModel(const std::string& path);
 
 /// A mesh or a spline model.

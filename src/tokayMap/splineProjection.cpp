@@ -36,7 +36,7 @@ Eigen::VectorXd splineProjection(const mapper::SurfaceInterface& splines,
             }
         }
     }
-    mapper::SparseMatrix mass(n, n);
+    mapper::RowSparseMatrix mass(n, n);
     mass.setFromTriplets(entries.begin(), entries.end());
     return mapper::MassInverse(mass, mapper::SingularMass::minimumNorm).solve(rhs);
 }

@@ -18,7 +18,7 @@ void expectPatchTest(const From& from, const To& to, const MortarOptions& option
     const auto field = [&](const Points& values) { return (mapping.massMatrix() * values).norm(); };
     EXPECT_LT(field(mapped - expected), 1e-12 * field(expected));
     EXPECT_LT(mapping.report().rowSumError, 1e-12);
-    expectForceAndMomentConserved(mapping, mapping.massMatrix() * testForces(to.nValues()),
+    expectForceAndMomentConserved(mapping, mapping.massMatrix() * probeForces(to.nValues()),
                                   from.coordinates(), to.coordinates());
     expectTransposesEqual(mapping, from.nValues(), to.nValues());
 }

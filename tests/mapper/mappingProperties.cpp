@@ -15,7 +15,7 @@ Points linearField(const Points& x) {
 }
 
 void expectTransposesEqual(const Mapping& mapping, int nFrom, int nTo) {
-    const Points values = testForces(nFrom).array().cos(), forces = testForces(nTo).array().sin();
+    const Points values = probeForces(nFrom).array().cos(), forces = probeForces(nTo).array().sin();
     const Points mapped = mapping.apply(values), transposed = mapping.applyTransposed(forces);
     const double scale = mapped.norm() * forces.norm() + values.norm() * transposed.norm();
     // The two sides are sums of the same products in another order; what was

@@ -153,18 +153,18 @@ TEST(Extremes, scalePlaceAndDirectionDoNotMatterForMortarOntoAndFromPatches) {
     expectPlaceDoesNotMatter([](const Placement& placed) -> Points {
         const SurfaceMesh faces = placed(7, 0);
         return MortarMapping(faces, placed(TrimmedPatch(plate(5, 4))))
-            .apply(testForces(faces.nValues()));
+            .apply(probeForces(faces.nValues()));
     });
     expectPlaceDoesNotMatter([](const Placement& placed) -> Points {
         // Slivers around the hole have values that rounding moves, but not their field.
         const SurfaceMesh faces = placed(7, 0);
         const MortarMapping mapping(faces, placed(holedPlate()), minimumNorm());
-        return mapping.massMatrix() * mapping.apply(testForces(faces.nValues())) /
+        return mapping.massMatrix() * mapping.apply(probeForces(faces.nValues())) /
                (placed.scale * placed.scale);
     });
     expectPlaceDoesNotMatter([](const Placement& placed) -> Points {
         const SurfaceInterface splines = placed(holedPlate());
-        return MortarMapping(splines, placed(7, 0)).apply(testForces(splines.nValues()));
+        return MortarMapping(splines, placed(7, 0)).apply(probeForces(splines.nValues()));
     });
 }
 
@@ -172,7 +172,7 @@ TEST(Extremes, scalePlaceAndDirectionDoNotMatterForMortarBetweenPatches) {
     expectPlaceDoesNotMatter([](const Placement& placed) -> Points {
         const SurfaceInterface from = placed(TrimmedPatch(bentParameters(4, 4)));
         return MortarMapping(from, placed(TrimmedPatch(plate(5, 3))))
-            .apply(testForces(from.nValues()));
+            .apply(probeForces(from.nValues()));
     });
 }
 
@@ -195,7 +195,7 @@ TEST(Extremes, scalePlaceAndDirectionDoNotMatterForTrimmedEdges) {
             const CurveInterface from = lineMesh(placed(verticalMesh(7).coordinates()), elements);
             MortarOptions options;
             options.singular = singular;
-            return MortarMapping(from, to, options).apply(testForces(from.nValues()));
+            return MortarMapping(from, to, options).apply(probeForces(from.nValues()));
         });
     }
 }
@@ -205,7 +205,7 @@ TEST(Extremes, scalePlaceAndDirectionDoNotMatterForNearestElementOfPatches) {
     expectPlaceDoesNotMatter([&](const Placement& placed) -> Points {
         const SurfaceInterface splines = placed(holedPlate());
         return NearestElementMapping(splines, placed(to), {0.2})
-            .apply(testForces(splines.nValues()));
+            .apply(probeForces(splines.nValues()));
     });
 }
 
@@ -215,7 +215,7 @@ TEST(Extremes, scalePlaceAndDirectionDoNotMatterForThePartitionOfUnity) {
         options.solution = RbfSolution::partitionOfUnity;
         const Points from = placed(mesh(20, 20).vertices());
         return RbfMapping(from, placed(mesh(17, 13, 2).vertices()), options)
-            .apply(testForces(from.rows()).array().sin());
+            .apply(probeForces(from.rows()).array().sin());
     });
 }
 
@@ -284,7 +284,7 @@ TEST(Extremes, invertedFacesMapAsTheOthers) {
     const SurfaceMesh plain = flatMesh(6, 6, FaceKind::quadrilaterals, ValuesAt::vertices);
     const SurfaceMesh inverted(plain.vertices(), someInverted(6), ValuesAt::vertices);
     const SurfaceInterface splines = wholePlate(4, 3);
-    const Points values = testForces(plain.nValues());
+    const Points values = probeForces(plain.nValues());
     const Points reference = MortarMapping(plain, splines).apply(values);
     EXPECT_LT((MortarMapping(inverted, splines).apply(values) - reference).norm(), 1e-11);
     expectPatchTest(splines, inverted);

@@ -4,9 +4,9 @@
 #include "geometry/primitives/primitives.hpp"
 #include "geometry/spline/curveParts.hpp"
 #include "temporaryDirectory.hpp"
+#include "tokayMap/files/writeField.hpp"
 #include "tokayMap/mapFiles.hpp"
 #include "tokayMap/readSide.hpp"
-#include "tokayMap/writeField.hpp"
 #include "vtuArrays.hpp"
 
 #include <gtest/gtest.h>
@@ -99,6 +99,17 @@ TEST_F(MapFiles, takesALinearFieldExactlyWithEveryOperatorButTheNearestNeighbour
     mapFiles(options);
     EXPECT_NEAR(largestLinearError(options.output, "p"), 0.3, 0.3) << "half a cell of the source";
     EXPECT_GT(largestLinearError(options.output, "p"), 0.01);
+}
+
+TEST_F(MapFiles, refusesAValueThatIsNotFiniteWithItsPlace) {
+    Points vertices(4, 3);
+    vertices << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0;
+    const Eigen::Vector4d values(1, NAN, 2, 3);
+    writeField(options.from, {vertices, {{0, 1, 2, 3}}, ValuesAt::vertices}, "p", values);
+    expectInputError([&] { mapFiles(options); }, {"from.vtu", "'p'", "vertex 1", "nan"});
+    options.field.clear();
+    options.valuesFile = directory.write("values.txt", "1\n2\n3\ninf\n");
+    expectInputError([&] { mapFiles(options); }, {"values.txt", "row 3", "inf"});
 }
 
 TEST_F(MapFiles, mapsOntoATrimmedModelAndWritesItsTriangles) {

@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 
 #include <cstdlib>
+#include <cstring>
 
 namespace tokay::tool {
 
@@ -54,6 +55,11 @@ TEST_F(Program, endsWithAMessageWhenTheInputIsWrong) {
     EXPECT_NE(output.find("TO"), std::string::npos) << output;
     EXPECT_EQ(run("a.obj b.obj --test-function x --operator rbf --kernel gauss"), 1);
     EXPECT_NE(output.find("compactC2"), std::string::npos) << output;
+    for (const char* const option :
+         {"--scale-from nan", "--gap-limit inf", "--divisions 1000000000", "--degree 1000"}) {
+        EXPECT_NE(run(std::string("a.obj b.obj --test-function x ") + option), 0) << option;
+        EXPECT_NE(output.find(std::strchr(option, ' ') + 1), std::string::npos) << output;
+    }
 }
 
 } // namespace tokay::tool

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/expectInputError.hpp"
 #include "temporaryDirectory.hpp"
-#include "tokayMap/readObj.hpp"
+#include "tokayMap/files/readObj.hpp"
 
 #include <gtest/gtest.h>
 

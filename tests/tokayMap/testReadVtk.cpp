@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/expectInputError.hpp"
 #include "temporaryDirectory.hpp"
-#include "tokayMap/readVtk.hpp"
-#include "tokayMap/writeField.hpp"
+#include "tokayMap/files/readVtk.hpp"
+#include "tokayMap/files/writeField.hpp"
 #include "vtkText.hpp"
 
 #include <gtest/gtest.h>
@@ -150,6 +150,25 @@ TEST(ReadVtk, refusesDamageWithTheArrayOrTheCell) {
     const std::string appended = exampleGrid({Format::appendedBase64});
     expectRefused(replaced(appended, "offset=\"0\"", "offset=\"99999\""), {"'p'", "99999"});
     expectRefused(appended.substr(0, appended.find("<AppendedData") + 80), {"array"});
+}
+
+TEST(ReadVtk, refusesCountsThatTheFileCannotHold) {
+    const std::string grid = exampleGrid({});
+    const std::string count = "NumberOfPoints=\"4\"";
+    for (const char* const n : {"900000000", "6148914691236517206", "18446744073709551615"}) {
+        expectRefused(replaced(grid, count, std::string("NumberOfPoints=\"") + n + "\""),
+                      {"a.vtu", "NumberOfPoints", n, "bytes"});
+    }
+    VtkText text(VtkStyle{});
+    const std::string triangle =
+        "<Piece NumberOfPoints=\"3\" NumberOfPolys=\"900000000\">\n<Points>\n" +
+        text.reals("Points", 3, {0, 0, 0, 1, 0, 0, 0, 1, 0}) + "</Points>\n<Polys>\n" +
+        text.integers("connectivity", {0, 1, 2}) + text.integers("offsets", {3}) +
+        "</Polys>\n</Piece>\n";
+    expectRefused(text.file("PolyData", triangle), {"NumberOfPolys", "900000000", "bytes"});
+    expectRefused(
+        replaced(grid, "NumberOfComponents=\"3\"", "NumberOfComponents=\"9223372036854775808\""),
+        {"NumberOfComponents", "9223372036854775808"});
 }
 
 TEST(ReadVtk, refusesDamagedCompressedData) {

@@ -14,7 +14,7 @@ struct Bernstein {
     Row values, first, second;
 };
 
-/// From degree - 1 to degree.
+/// Raises the degree from degree - 1 to degree.
 void raise(Row& b, int degree, double t) {
     b[degree] = t * b[degree - 1];
     for (int i = degree - 1; i > 0; --i) {

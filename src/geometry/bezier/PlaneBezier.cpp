@@ -79,7 +79,7 @@ PlaneBezier::PlaneBezier(Controls controls)
 
 std::vector<PlaneBezier> PlaneBezier::piecesOf(const NurbsCurve& curve) {
     if (curve.degree() > maxDegree) {
-        throw InputError(fmt::format("A trimming curve has degree {}; at most {} is possible.",
+        throw InputError(fmt::format("a trimming curve has degree {}; at most {} is possible",
                                      curve.degree(), maxDegree));
     }
     std::vector<PlaneBezier> pieces;
@@ -173,11 +173,7 @@ std::vector<double> PlaneBezier::extrema(int axis) const {
     if (X.cwiseAbs().maxCoeff() <= 1e-15 * std::abs(middle) * W.maxCoeff()) {
         return {}; // constant but for rounding
     }
-    const Eigen::VectorXd numerator = product(derivative(X), W) - product(X, derivative(W));
-    Points points = Points::Zero(numerator.size(), 3);
-    points.col(0) = numerator;
-    const int n = static_cast<int>(numerator.size()) - 1;
-    return parameterCrossings(NurbsCurve(KnotVector::uniform(n, 1), std::move(points)), 0, 0.0);
+    return bernsteinRoots(product(derivative(X), W) - product(X, derivative(W)));
 }
 
 double PlaneBezier::parameterAt(int axis, double value) const {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/spline/NurbsCurve.hpp"
-#include "geometry/spline/Parameters.hpp"
+#include "geometry/spline/Points.hpp"
 
 #include <array>
 
@@ -36,16 +36,16 @@ class PlaneBezier {
 
     std::array<PlaneBezier, 2> split(double t) const;
 
-    /// The same curve with other ends, next to its own.
+    /// Copy with other ends, next to its own.
     PlaneBezier withEnds(const Parameters& start, const Parameters& end) const;
 
-    /// The same curve run through backwards.
+    /// Reversed curve.
     PlaneBezier reversed() const;
 
     /// The curve in coordinates (point - origin) * scale, for each direction.
     PlaneBezier scaled(const Parameters& origin, const Parameters& scale) const;
 
-    /// Box of the control points, which holds the curve.
+    /// Box of the control points, which contains the curve.
     ParameterBox box() const;
 
     /// Appends the start and points after it, the end left out, such that chords

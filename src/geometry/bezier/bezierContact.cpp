@@ -70,34 +70,31 @@ bool areApartBesideJoint(const PlaneBezier& a, const PlaneBezier& b, double tole
     return false;
 }
 
-} // namespace
+/// Halvings after which pieces that still seem to meet do: they cannot get shorter.
+constexpr int mostHalvings = 200;
 
-std::optional<Parameters> contact(const PlaneBezier& a, const PlaneBezier& b, double tolerance) {
+std::optional<Parameters> contactOfParts(const PlaneBezier& a, const PlaneBezier& b,
+                                         double tolerance, int depth) {
     if (areApart(a, b, tolerance)) {
         return std::nullopt;
     }
     const double sizeA = size(a), sizeB = size(b);
-    if (std::max(sizeA, sizeB) <= tolerance) {
+    if (std::max(sizeA, sizeB) <= tolerance || depth == mostHalvings) {
         return a.start();
     }
-    if (sizeA >= sizeB) {
-        for (const PlaneBezier& half : a.split(0.5)) {
-            if (const auto found = contact(half, b, tolerance)) {
-                return found;
-            }
-        }
-    } else {
-        for (const PlaneBezier& half : b.split(0.5)) {
-            if (const auto found = contact(a, half, tolerance)) {
-                return found;
-            }
+    const bool halvesA = sizeA >= sizeB;
+    for (const PlaneBezier& half : (halvesA ? a : b).split(0.5)) {
+        const auto found = halvesA ? contactOfParts(half, b, tolerance, depth + 1)
+                                   : contactOfParts(a, half, tolerance, depth + 1);
+        if (found) {
+            return found;
         }
     }
     return std::nullopt;
 }
 
 std::optional<Parameters> contactBesideJoint(const PlaneBezier& a, const PlaneBezier& b,
-                                             double tolerance) {
+                                             double tolerance, int depth) {
     const double smaller = std::min(size(a), size(b));
     // The sides of a cusp are apart by the square of the distance to the joint;
     // nearer to it than this that is lost in rounding.
@@ -105,18 +102,28 @@ std::optional<Parameters> contactBesideJoint(const PlaneBezier& a, const PlaneBe
     if (areApartBesideJoint(a, b, tolerance) || smaller <= nearest) {
         return std::nullopt;
     }
+    if (depth == mostHalvings) {
+        return b.start();
+    }
     const double between = std::min(tolerance, 1e-3 * smaller * smaller);
     const auto halvesA = a.split(0.5), halvesB = b.split(0.5);
-    if (const auto found = contact(halvesA[0], halvesB[0], between)) {
-        return found;
+    for (const auto& [first, second] : {std::pair(0, 0), std::pair(0, 1), std::pair(1, 1)}) {
+        if (const auto found = contact(halvesA[first], halvesB[second], between)) {
+            return found;
+        }
     }
-    if (const auto found = contact(halvesA[0], halvesB[1], between)) {
-        return found;
-    }
-    if (const auto found = contact(halvesA[1], halvesB[1], between)) {
-        return found;
-    }
-    return contactBesideJoint(halvesA[1], halvesB[0], tolerance);
+    return contactBesideJoint(halvesA[1], halvesB[0], tolerance, depth + 1);
+}
+
+} // namespace
+
+std::optional<Parameters> contact(const PlaneBezier& a, const PlaneBezier& b, double tolerance) {
+    return contactOfParts(a, b, tolerance, 0);
+}
+
+std::optional<Parameters> contactBesideJoint(const PlaneBezier& a, const PlaneBezier& b,
+                                             double tolerance) {
+    return contactBesideJoint(a, b, tolerance, 0);
 }
 
 } // namespace tokay::geometry

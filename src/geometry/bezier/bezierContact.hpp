@@ -10,7 +10,7 @@ namespace tokay::geometry {
 /// A place where two curves come nearer than the tolerance, if there is one.
 std::optional<Parameters> contact(const PlaneBezier& a, const PlaneBezier& b, double tolerance);
 
-/// The same for curves of which b starts where a ends: elsewhere than there.
+/// Contact of curves of which b starts where a ends, elsewhere than there.
 /// Both of size about 1; what happens within 1e-6 of the joint is not seen.
 std::optional<Parameters> contactBesideJoint(const PlaneBezier& a, const PlaneBezier& b,
                                              double tolerance);

@@ -5,11 +5,11 @@
 
 namespace tokay::geometry {
 
-/// One curve of a single span for each knot span, over the same parameters.
+/// Bezier pieces of a curve, one per knot span, over the same parameters.
 /// Each lies in the convex hull of its control points.
 std::vector<NurbsCurve> bezierPieces(const NurbsCurve& curve);
 
-/// One surface for each knot span (i, j), numbered i + nSpansU * j.
+/// Bezier pieces of a surface; that of knot span (i, j) has index i + nSpansU * j.
 std::vector<NurbsSurface> bezierPieces(const NurbsSurface& surface);
 
 } // namespace tokay::geometry

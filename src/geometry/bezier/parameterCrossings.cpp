@@ -2,78 +2,98 @@
 #include "geometry/bezier/parameterCrossings.hpp"
 
 #include "geometry/bezier/bezierPieces.hpp"
-#include "geometry/spline/refinement.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace tokay::geometry {
 
 namespace {
 
-/// By bisection: the signs at the ends differ.
-double bracketedCrossing(const NurbsCurve& piece, int axis, double value) {
-    double from = piece.knotVector().first(), to = piece.knotVector().last();
-    const bool rises = piece.point(to)[axis] > value;
-    while (true) {
-        const double middle = 0.5 * (from + to);
-        if (middle <= from || middle >= to) {
-            return to;
-        }
-        if ((piece.point(middle)[axis] > value) == rises) {
-            to = middle;
-        } else {
-            from = middle;
-        }
-    }
-}
+using Eigen::VectorXd;
 
-int signChanges(const Eigen::VectorXd& coefficients) {
+int signChanges(const VectorXd& coefficients) {
     int changes = 0;
     double last = 0;
     for (const double c : coefficients) {
-        if (c * last < 0) {
-            ++changes;
-        }
         if (c != 0) {
+            changes += last != 0 && std::signbit(c) != std::signbit(last);
             last = c;
         }
     }
     return changes;
 }
 
-/// A Bezier curve crosses at most as often as its control polygon does.
-void collect(const NurbsCurve& piece, int axis, double value, int depth,
-             std::vector<double>& crossings) {
-    const Eigen::VectorXd coefficients = piece.controlPoints().col(axis).array() - value;
+/// Coefficients on both parts of a polynomial cut at t, by de Casteljau's algorithm.
+std::array<VectorXd, 2> cut(const VectorXd& coefficients, double t) {
+    const Eigen::Index degree = coefficients.size() - 1;
+    VectorXd left(degree + 1), right = coefficients;
+    for (Eigen::Index n = degree; n >= 0; --n) {
+        left[degree - n] = right[0];
+        right.head(n) += t * (right.segment(1, n) - right.head(n)).eval();
+    }
+    return {left, right};
+}
+
+/// Root by bisection: the signs at the ends differ.
+double bracketedRoot(const VectorXd& coefficients) {
+    double from = 0, to = 1;
+    const bool rises = coefficients[coefficients.size() - 1] > 0;
+    constexpr double resolution = 1e-17;
+    while (to - from > resolution) {
+        const double middle = 0.5 * (from + to);
+        if (middle <= from || middle >= to) {
+            break;
+        }
+        ((cut(coefficients, middle)[1][0] > 0) == rises ? to : from) = middle;
+    }
+    return to;
+}
+
+/// A polynomial has at most as many roots in (0, 1) as its coefficients change signs.
+void collectRoots(const VectorXd& coefficients, double from, double to, int depth,
+                  std::vector<double>& roots) {
     const int changes = signChanges(coefficients);
     const double first = coefficients[0], last = coefficients[coefficients.size() - 1];
     constexpr int deepest = 40;
-    if (changes == 1 && first * last < 0) {
-        crossings.push_back(bracketedCrossing(piece, axis, value));
+    if (changes == 1 && first != 0 && last != 0) {
+        roots.push_back(from + (to - from) * bracketedRoot(coefficients));
     } else if (changes > 0 && depth < deepest) {
-        const KnotVector& knots = piece.knotVector();
-        const double middle = 0.5 * (knots.first() + knots.last());
-        if (piece.point(middle)[axis] == value) {
-            crossings.push_back(middle);
+        const double middle = 0.5 * (from + to);
+        const auto halves = cut(coefficients, 0.5);
+        if (halves[1][0] == 0) {
+            roots.push_back(middle);
         }
-        for (const NurbsCurve& half : bezierPieces(insertKnots(piece, {middle}))) {
-            collect(half, axis, value, depth + 1, crossings);
-        }
+        collectRoots(halves[0], from, middle, depth + 1, roots);
+        collectRoots(halves[1], middle, to, depth + 1, roots);
     }
 }
 
 } // namespace
 
+std::vector<double> bernsteinRoots(const VectorXd& coefficients) {
+    std::vector<double> roots;
+    collectRoots(coefficients, 0, 1, 0, roots);
+    std::sort(roots.begin(), roots.end());
+    roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
+    return roots;
+}
+
 std::vector<double> parameterCrossings(const NurbsCurve& curve, int axis, double value) {
     std::vector<double> crossings;
     for (const NurbsCurve& piece : bezierPieces(curve)) {
-        collect(piece, axis, value, 0, crossings);
+        const double first = piece.knotVector().first(), last = piece.knotVector().last();
+        VectorXd distances = piece.controlPoints().col(axis).array() - value;
+        if (piece.isRational()) {
+            distances = distances.cwiseProduct(piece.weights()).eval();
+        }
+        for (const double t : bernsteinRoots(distances)) {
+            crossings.push_back(first + t * (last - first));
+        }
         // A crossing exactly between two pieces is an end of both.
-        if (piece.point(piece.knotVector().first())[axis] == value &&
-            signChanges(piece.controlPoints().col(axis).array() - value) == 0 &&
-            (piece.controlPoints().col(axis).array() != value).any()) {
-            crossings.push_back(piece.knotVector().first());
+        if (distances[0] == 0 && signChanges(distances) == 0 && (distances.array() != 0).any()) {
+            crossings.push_back(first);
         }
     }
     std::sort(crossings.begin(), crossings.end());

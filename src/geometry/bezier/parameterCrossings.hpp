@@ -11,4 +11,7 @@ namespace tokay::geometry {
 /// @param axis  0, 1 or 2
 std::vector<double> parameterCrossings(const NurbsCurve& curve, int axis, double value);
 
+/// Roots in (0, 1), ascending, of a polynomial with these Bernstein coefficients.
+std::vector<double> bernsteinRoots(const Eigen::VectorXd& coefficients);
+
 } // namespace tokay::geometry

@@ -17,8 +17,8 @@ void requireUnique(const std::vector<std::string>& names, const char* kind) {
     std::set<std::string> seen;
     for (const std::string& name : names) {
         if (!seen.insert(name).second) {
-            throw InputError(fmt::format("Two {}s of the model are named \"{}\": give each its own "
-                                         "name.",
+            throw InputError(fmt::format("two {}s of the model are named \"{}\": give each its own "
+                                         "name",
                                          kind, name));
         }
     }
@@ -28,7 +28,7 @@ int numberOf(const std::string& name, const std::vector<std::string>& names, con
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end()) {
         throw InputError(
-            fmt::format("The model has no {} \"{}\"; it has {}.", kind, name,
+            fmt::format("the model has no {} \"{}\"; it has {}", kind, name,
                         names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
     }
     return static_cast<int>(found - names.begin());
@@ -77,25 +77,28 @@ void include(const CurveOnSurface& from, const CurveOnSurface& to, EdgeGap& gap)
 
 } // namespace
 
-BrepModel::BrepModel(std::vector<BrepFace> faces, std::vector<BrepEdge> edges, double tolerance)
-    : faces_(std::move(faces)), edges_(std::move(edges)), tolerance_(tolerance) {
+BrepModel::BrepModel(std::vector<BrepFace> faces, std::vector<BrepEdge> edges, double tolerance,
+                     std::vector<std::string> remarks)
+    : faces_(std::move(faces)), edges_(std::move(edges)), tolerance_(tolerance),
+      remarks_(std::move(remarks)) {
     if (faces_.empty()) {
-        throw InputError("The model has no face: give it at least one.");
+        throw InputError("the model has no face: give it at least one");
     }
     requireUnique(namesOf(faces_), "face");
     requireUnique(namesOf(edges_), "edge");
     for (const BrepEdge& edge : edges_) {
         for (const BrepTrim& trim : edge.trims) {
             if (trim.face < 0 || trim.face >= static_cast<int>(faces_.size())) {
-                throw InputError(fmt::format("Edge \"{}\" names face {}, but the model has {} "
-                                             "(numbers start at 0).",
-                                             edge.name, trim.face, faces_.size()));
+                throw InputError(
+                    fmt::format("edge \"{}\" names face {}, but the model has {} (indices "
+                                "start at 0)",
+                                edge.name, trim.face, faces_.size()));
             }
             if (trim.curve < 0 || trim.curve >= nCurves(trim.face)) {
-                throw InputError(fmt::format("Edge \"{}\" names curve {} of face \"{}\", which has "
-                                             "{} (numbers start at 0).",
-                                             edge.name, trim.curve, patch(trim.face).name(),
-                                             nCurves(trim.face)));
+                throw InputError(fmt::format(
+                    "edge \"{}\" names curve {} of face \"{}\", which has {} "
+                    "(indices start at 0)",
+                    edge.name, trim.curve, patch(trim.face).name(), nCurves(trim.face)));
             }
         }
     }
@@ -168,9 +171,9 @@ void BrepModel::requireGapsBelow(double limit) const {
     if (worst == all.end() || worst->distance <= limit) {
         return;
     }
-    throw InputError(fmt::format("The faces at edge \"{}\" are {:.3g} apart at ({:.6g}, {:.6g}, "
-                                 "{:.6g}); at most {:.3g} is allowed. Correct the trimming curves, "
-                                 "or allow larger gaps.",
+    throw InputError(fmt::format("the faces at edge \"{}\" are {:.3g} apart at ({:.6g}, "
+                                 "{:.6g}, {:.6g}); at most {:.3g} is allowed; correct the "
+                                 "trimming curves, or allow larger gaps",
                                  edges_[worst->edge].name, worst->distance, worst->place[0],
                                  worst->place[1], worst->place[2], limit));
 }
@@ -178,10 +181,10 @@ void BrepModel::requireGapsBelow(double limit) const {
 BrepModel BrepModel::refined(int degreeU, int degreeV, int nDivisionsU, int nDivisionsV) const {
     std::vector<BrepFace> faces;
     for (const BrepFace& face : faces_) {
-        faces.push_back({face.patch.refined(degreeU, degreeV, nDivisionsU, nDivisionsV),
-                         face.isNormalSwapped, face.embeddedCurves});
+        faces.push_back(
+            {face.patch.refined(degreeU, degreeV, nDivisionsU, nDivisionsV), face.embeddedCurves});
     }
-    return BrepModel(std::move(faces), edges_, tolerance_);
+    return BrepModel(std::move(faces), edges_, tolerance_, remarks_);
 }
 
 } // namespace tokay::geometry

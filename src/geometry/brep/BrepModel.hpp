@@ -12,8 +12,6 @@ namespace tokay::geometry {
 /// A face of a model.
 struct BrepFace {
     TrimmedPatch patch;
-    /// The face's outside is opposite to the surface's normal (xi x eta).
-    bool isNormalSwapped = false;
     /// Curves in the parameter space that lie on the face without trimming it.
     std::vector<NurbsCurve> embeddedCurves = {};
 };
@@ -21,10 +19,10 @@ struct BrepFace {
 /// A trimming curve as a side of an edge.
 struct BrepTrim {
     int face;
-    /// Number among the curves of the face: those of its loops in order, then
+    /// Index among the curves of the face: those of its loops in order, then
     /// the embedded ones.
     int curve;
-    /// Whether it runs as the edge does.
+    /// True if the trim runs as the edge does.
     bool isForward = true;
 };
 
@@ -36,7 +34,7 @@ struct BrepEdge {
     std::optional<NurbsCurve> curve = std::nullopt;
 };
 
-/// How far the trims of an edge are apart.
+/// Distance between the trims of an edge.
 struct EdgeGap {
     int edge;
     double distance; ///< [m]
@@ -49,13 +47,15 @@ class BrepModel {
     /// @param tolerance  gap at edges that the model is meant to have [m]; 0 if unknown
     /// @throws InputError if there is no face, names are not unique, or an edge
     /// names a face or curve that does not exist.
+    /// @param remarks    what the reader of a file corrected or did not use, for the log
     explicit BrepModel(std::vector<BrepFace> faces, std::vector<BrepEdge> edges = {},
-                       double tolerance = 0);
+                       double tolerance = 0, std::vector<std::string> remarks = {});
 
     const std::vector<BrepFace>& faces() const { return faces_; }
     const std::vector<BrepEdge>& edges() const { return edges_; }
     const TrimmedPatch& patch(int face) const { return faces_[face].patch; }
     double tolerance() const { return tolerance_; }
+    const std::vector<std::string>& remarks() const { return remarks_; }
 
     /// Largest extent of the control points [m].
     double size() const;
@@ -68,22 +68,23 @@ class BrepModel {
     const NurbsCurve& curve(int face, int number) const;
     CurveOnSurface curveInSpace(const BrepTrim& trim) const;
 
-    /// For each edge of two or more trims, the largest distance between two.
+    /// Largest distance between two trims of each edge that has several.
     std::vector<EdgeGap> gaps() const;
 
     /// @throws InputError that names the worst edge, its gap, place and the limit.
     void requireGapsBelow(double limit) const;
 
-    /// The same model in another basis, as TrimmedPatch::refined.
+    /// Copy of the model in a finer basis, as TrimmedPatch::refined.
     BrepModel refined(int degreeU, int degreeV, int nDivisionsU, int nDivisionsV) const;
 
   private:
     std::vector<BrepFace> faces_;
     std::vector<BrepEdge> edges_;
     double tolerance_;
+    std::vector<std::string> remarks_;
 };
 
-/// Whether the second curve runs as the first does, by their points.
+/// True if the second curve runs as the first does, by their points.
 bool runsAlong(const CurveOnSurface& first, const CurveOnSurface& second);
 
 /// Edges between faces by search: trimming curves that coincide in space over

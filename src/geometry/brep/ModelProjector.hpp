@@ -20,7 +20,7 @@ struct ModelProjection {
     bool isOnRim;
 };
 
-/// What happened to the points of a mesh.
+/// Statistics of the projections of a mesh's points.
 struct ProjectionSummary {
     int nPoints = 0, nNotConverged = 0, nAmbiguous = 0, nOnRim = 0;
     double largestDistance = 0; ///< [m]
@@ -59,7 +59,7 @@ class ModelProjector {
 
     ModelProjection closest(const Point& point) const;
 
-    /// One projection a row.
+    /// Closest points of all rows.
     std::vector<ModelProjection> closestOfAll(const Points& points) const;
 
   private:

@@ -7,33 +7,36 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace tokay::geometry {
 
 namespace {
 
 /// Rows (x, y, z, w) of points [id, [x, y, z, w]] or [[x, y, z, w]].
-Eigen::MatrixXd readControlPoints(const CadJsonNode& owner) {
-    const CadJsonNode node = owner.child("control_points");
-    const bool mayBeRational = !owner.has("is_rational") || owner.child("is_rational").boolean();
-    const std::vector<CadJsonNode> items = node.items();
+Eigen::MatrixXd readControlPoints(const LocatedNode& owner) {
+    const LocatedNode node = owner.required("control_points");
+    const bool mayBeRational = !owner.has("is_rational") || owner.required("is_rational").boolean();
+    const std::vector<LocatedNode> items = node.items();
     Eigen::MatrixXd rows(items.size(), 4);
     for (std::size_t i = 0; i < items.size(); ++i) {
-        const std::vector<CadJsonNode> parts = items[i].items();
+        const std::vector<LocatedNode> parts = items[i].items();
         if (parts.empty() || parts.size() > 2) {
-            throw items[i].error("a control point is given as [number, [x, y, z, weight]].");
+            throw items[i].error("a control point is given as [number, [x, y, z, weight]]");
         }
         const std::vector<double> values = parts.back().numbers(4);
         if (!(values[3] > 0)) {
             throw parts.back().error(
-                fmt::format("the weight is {}, but must be positive.", values[3]));
+                fmt::format("the weight is {}, but must be positive", values[3]));
         }
         rows.row(i) = Eigen::RowVector4d::Map(values.data());
         if (!mayBeRational && values[3] != rows(0, 3)) {
-            throw parts.back().error(fmt::format("the weight is {}, the first one {}, but "
-                                                 "\"is_rational\" is false: correct one of them.",
-                                                 values[3], rows(0, 3)));
+            throw parts.back().error(
+                fmt::format("the weight is {}, the first one {}, but \"is_rational\" is "
+                            "false: correct one of them",
+                            values[3], rows(0, 3)));
         }
     }
     return rows;
@@ -79,7 +82,7 @@ SplineCoefficients openDirection(int degree, const std::vector<double>& knots,
 
 /// Number of control points in a direction, from its knots: n + degree + 1 or
 /// n + degree - 1 of them, whichever fits the other direction and the total.
-std::array<Eigen::Index, 2> netSize(const CadJsonNode& surface, const std::vector<int>& degrees,
+std::array<Eigen::Index, 2> netSize(const LocatedNode& surface, const std::vector<int>& degrees,
                                     const std::array<std::vector<double>, 2>& knots,
                                     Eigen::Index total) {
     for (const int more : {1, -1}) {
@@ -91,16 +94,16 @@ std::array<Eigen::Index, 2> netSize(const CadJsonNode& surface, const std::vecto
     }
     throw surface.error(
         fmt::format("there are {} control points, but degrees {} and {} with {} "
-                    "and {} knots need {}.",
+                    "and {} knots need {}",
                     total, degrees[0], degrees[1], knots[0].size(), knots[1].size(),
                     (knots[0].size() - degrees[0] - 1) * (knots[1].size() - degrees[1] - 1)));
 }
 
 } // namespace
 
-NurbsCurve readCurve(const CadJsonNode& node) {
-    const int degree = node.child("degree").integer();
-    const CadJsonNode knots = node.child("knot_vector");
+NurbsCurve readCurve(const LocatedNode& node) {
+    const int degree = node.required("degree").integer();
+    const LocatedNode knots = node.required("knot_vector");
     const Eigen::MatrixXd rows = readControlPoints(node);
     const NurbsCurve curve = knots.make([&] {
         const SplineCoefficients spline =
@@ -111,26 +114,32 @@ NurbsCurve readCurve(const CadJsonNode& node) {
     if (!node.has("active_range")) {
         return curve;
     }
-    const CadJsonNode active = node.child("active_range");
-    const std::vector<double> range = active.numbers(2);
-    if (range[0] == curve.knotVector().first() && range[1] == curve.knotVector().last()) {
+    const LocatedNode active = node.required("active_range");
+    std::vector<double> range = active.numbers(2);
+    const double first = curve.knotVector().first(), last = curve.knotVector().last();
+    for (double& end : range) {
+        const double inside = std::clamp(end, first, last);
+        constexpr double rounding = 1e-6; // gaps that this leaves are the loops' to close
+        end = std::abs(end - inside) <= rounding * (last - first) ? inside : end;
+    }
+    if (range[0] == first && range[1] == last) {
         return curve;
     }
     return active.make([&] { return partOf(curve, range[0], range[1]); });
 }
 
-NurbsSurface readSurface(const CadJsonNode& node) {
+NurbsSurface readSurface(const LocatedNode& node) {
     std::vector<int> degrees;
-    for (const CadJsonNode& degree : node.child("degrees").items()) {
+    for (const LocatedNode& degree : node.required("degrees").items()) {
         degrees.push_back(degree.integer());
     }
-    const CadJsonNode knotVectors = node.child("knot_vectors");
-    const std::vector<CadJsonNode> both = knotVectors.items();
+    const LocatedNode knotVectors = node.required("knot_vectors");
+    const std::vector<LocatedNode> both = knotVectors.items();
     if (degrees.size() != 2) {
-        throw node.child("degrees").error("a surface has two degrees.");
+        throw node.required("degrees").error("a surface has two degrees");
     }
     if (both.size() != 2) {
-        throw knotVectors.error("a surface has two knot vectors.");
+        throw knotVectors.error("a surface has two knot vectors");
     }
     const std::array<std::vector<double>, 2> knots = {both[0].numbers(), both[1].numbers()};
     const Eigen::MatrixXd given = readControlPoints(node), net = homogeneousRows(given);

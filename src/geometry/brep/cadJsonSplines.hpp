@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "geometry/brep/CadJsonNode.hpp"
+#include "common/LocatedNode.hpp"
 #include "geometry/spline/NurbsSurface.hpp"
 
 namespace tokay::geometry {
@@ -9,10 +9,10 @@ namespace tokay::geometry {
 /// Curve of a cad.json file ("degree", "knot_vector", "control_points"), cut to
 /// its "active_range".
 /// @throws InputError with the place in the file
-NurbsCurve readCurve(const CadJsonNode& node);
+NurbsCurve readCurve(const LocatedNode& node);
 
 /// Surface of a cad.json file ("degrees", "knot_vectors", "control_points").
 /// @throws InputError with the place in the file
-NurbsSurface readSurface(const CadJsonNode& node);
+NurbsSurface readSurface(const LocatedNode& node);
 
 } // namespace tokay::geometry

@@ -109,13 +109,12 @@ class Writer {
         const BrepFace& face = model_.faces()[number];
         const NurbsSurface& surface = face.patch.surface();
         std::string text = fmt::format(
-            "{{\n{}, \"swapped_surface_normal\": {},\n\"surface\": {{\"is_trimmed\": {}, "
+            "{{\n{}, \"swapped_surface_normal\": false,\n\"surface\": {{\"is_trimmed\": {}, "
             "\"is_rational\": {}, \"degrees\": [{}, {}],\n\"knot_vectors\": [{},\n{}],\n{}}},\n"
             "\"boundary_loops\": [",
-            identity(face.patch.name()), geometry::text(face.isNormalSwapped),
-            geometry::text(face.patch.isTrimmed()), geometry::text(surface.isRational()),
-            surface.u().degree(), surface.v().degree(), geometry::text(surface.u().knots()),
-            geometry::text(surface.v().knots()),
+            identity(face.patch.name()), geometry::text(face.patch.isTrimmed()),
+            geometry::text(surface.isRational()), surface.u().degree(), surface.v().degree(),
+            geometry::text(surface.u().knots()), geometry::text(surface.v().knots()),
             controlPoints(surface.controlPoints(), surface.weights()));
         int next = 0;
         for (const TrimmingLoop& loop : face.patch.loops()) {

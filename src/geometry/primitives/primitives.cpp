@@ -16,7 +16,7 @@ constexpr double pi = 3.14159265358979323846;
 
 void checkPositive(double value, const char* name) {
     if (!(value > 0) || !std::isfinite(value)) {
-        throw InputError(fmt::format("The {} is {}: it must be positive.", name, value));
+        throw InputError(fmt::format("the {} is {}: it must be positive", name, value));
     }
 }
 
@@ -36,7 +36,7 @@ UnitArc unitArc(double startAngle, double endAngle) {
     const double angle = endAngle - startAngle;
     checkPositive(angle, "arc's angle (end minus start)");
     if (angle > 2 * pi * (1 + 1e-12)) {
-        throw InputError(fmt::format("An arc of {} rad is more than a full turn.", angle));
+        throw InputError(fmt::format("an arc of {} rad is more than a full turn", angle));
     }
     const int nSpans = std::max(1, static_cast<int>(std::ceil(angle / (pi / 2) * (1 - 1e-12))));
     const double half = angle / nSpans / 2;
@@ -91,8 +91,8 @@ NurbsSurface plate(const Point& origin, const Point& edgeU, const Point& edgeV) 
     checkPositive(edgeV.norm(), "length of the plate's second edge");
     const double sine = edgeU.normalized().cross(edgeV.normalized()).norm();
     if (sine < 1e-9) {
-        throw InputError(fmt::format("The plate's edges are parallel (the sine of their angle is "
-                                     "{:.2g}): it has no area.",
+        throw InputError(fmt::format("the plate's edges are parallel (the sine of their angle is "
+                                     "{:.2g}): it has no area",
                                      sine));
     }
     Points points(4, 3);

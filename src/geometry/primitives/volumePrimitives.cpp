@@ -15,7 +15,7 @@ namespace tokay::geometry {
 
 namespace {
 
-/// At a distance along the normal.
+/// Surface at a distance along the normal.
 Point parallelPoint(const NurbsSurface& surface, double xi, double eta, double distance) {
     const Points d = surface.derivatives(xi, eta, 1);
     const Point a1 = d.row(1), a2 = d.row(2);
@@ -62,10 +62,10 @@ NurbsSurface exactParallel(const NurbsSurface& middle, double distance) {
     const double off = deviation(surface, middle, distance);
     const double rounding = 1e-13 * Box::around(middle.controlPoints()).diagonal();
     if (!(off <= 1e-9 * std::abs(distance) + rounding)) {
-        throw InputError(fmt::format(
-            "The surface cannot be thickened exactly: its parallel at {:g} m would be off by "
-            "{:.2g} m. A plane, a cylinder and a sphere can be; give others as a volume.",
-            distance, off));
+        throw InputError(fmt::format("the surface cannot be thickened exactly: its parallel at "
+                                     "{:g} m would be off by {:.2g} m; a plane, a cylinder and a "
+                                     "sphere can be; give others as a volume",
+                                     distance, off));
     }
     return surface;
 }
@@ -76,7 +76,7 @@ NurbsVolume block(const Point& origin, const Point& size) {
     const NurbsSurface base = rectangle(origin, size[0], size[1]);
     if (!(size[2] > 0) || !std::isfinite(size[2])) {
         throw InputError(
-            fmt::format("The size of the block along z is {}: it must be positive.", size[2]));
+            fmt::format("the size of the block along z is {}: it must be positive", size[2]));
     }
     Points points(8, 3);
     points << base.controlPoints(),
@@ -86,7 +86,7 @@ NurbsVolume block(const Point& origin, const Point& size) {
 
 NurbsVolume thickened(const NurbsSurface& middle, double thickness) {
     if (!(thickness > 0) || !std::isfinite(thickness)) {
-        throw InputError(fmt::format("The thickness is {}: it must be positive.", thickness));
+        throw InputError(fmt::format("the thickness is {}: it must be positive", thickness));
     }
     const NurbsSurface back = exactParallel(middle, -0.5 * thickness);
     const NurbsSurface front = exactParallel(middle, 0.5 * thickness);

@@ -11,7 +11,7 @@ namespace tokay::geometry {
 /// @throws InputError if a size is not positive and finite
 NurbsVolume block(const Point& origin, const Point& size);
 
-/// What lies within half the thickness on either side of a middle surface; zeta
+/// Volume within half the thickness on either side of a middle surface; zeta
 /// runs along the surface's normal, from back to front.
 /// @throws InputError if the thickness is not positive, or the surface's parallels
 ///         are no NURBS with its own knots and weights (those of a plane, cylinder or

@@ -38,7 +38,7 @@ class BoxTree {
     std::vector<int> overlapping(const Box& box) const;
 
     /// Numbers of the boxes that meet a region, ascending.
-    /// @param meets  whether a box does; then so must every box that holds it
+    /// @param meets  whether a box does; then so must every box that contains it
     std::vector<int> meeting(const std::function<bool(const Box&)>& meets) const;
 
   private:

@@ -21,7 +21,7 @@ struct CurveProjection {
 /// Closest points of a curve, by a tree over the boxes of its Bezier pieces
 /// and a safeguarded Newton iteration in each piece that can hold the closest
 /// point. So ends, C0 knots, and points near the evolute are found reliably.
-/// All tolerances are relative to the size of the curve.
+/// Closest points of a curve; tolerances are relative to its size.
 class CurveProjector {
   public:
     explicit CurveProjector(const NurbsCurve& curve);

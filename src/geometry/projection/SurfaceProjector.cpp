@@ -69,7 +69,7 @@ class AcceptedSearch {
     }
 
   private:
-    /// Where the closest place is refused, another minimum beside it may count:
+    /// Where the closest place is refused, another minimum near it may count:
     /// quarters are searched unless all of the range must be too far.
     void search(const BezierPatch& patch, const ParameterRange& range, const Parameters& start,
                 int depth) {
@@ -90,7 +90,7 @@ class AcceptedSearch {
         }
     }
 
-    /// Of a part of a nearly flat patch, by its diagonals.
+    /// Diameter of a part of a nearly flat patch, by its diagonals.
     static double diameter(const BezierPatch& patch, const ParameterRange& range) {
         const auto at = [&](double xi, double eta) -> Point {
             return patch.derivatives({xi, eta}).row(0);

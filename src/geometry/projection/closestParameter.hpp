@@ -12,7 +12,7 @@ namespace tokay::geometry {
 /// A geometry of n parameters near one of them, as seen from a point.
 template <int n>
 struct Osculation {
-    /// From the point to the geometry.
+    /// Vector from the point to the geometry.
     Point offset;
     /// Column i: derivative by parameter i.
     Eigen::Matrix<double, 3, n> tangents;

@@ -9,11 +9,11 @@ namespace tokay::geometry {
 struct Pole {
     Edge edge;
     Point place;
-    /// Of unit length; zero if the surface has no tangent plane there (a cone's tip).
+    /// Unit normal; zero if the surface has no tangent plane there (a cone's tip).
     Point normal;
 };
 
-/// All of a surface's degenerate edges.
+/// Degenerate edges of a surface.
 std::vector<Pole> surfacePoles(const NurbsSurface& surface);
 
 } // namespace tokay::geometry

@@ -16,7 +16,7 @@ class Triangle {
 
     const Point& corner(int i) const { return corners_[i]; }
     double area() const { return 0.5 * normal_.norm(); }
-    /// Of unit length; right-handed about the corners.
+    /// Unit normal, right-handed about the corners.
     Point unitNormal() const { return normal_.normalized(); }
     Point at(const Barycentric& b) const {
         return b[0] * corners_[0] + b[1] * corners_[1] + b[2] * corners_[2];

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/quadrature/Polygon.hpp"
-#include "geometry/spline/Parameters.hpp"
+#include "geometry/spline/Points.hpp"
 
 #include <array>
 

@@ -16,27 +16,50 @@ namespace {
 
 void checkSequence(int degree, const std::vector<double>& knots) {
     if (degree < 1) {
-        throw InputError(
-            fmt::format("A knot vector needs a degree of at least 1, not {}.", degree));
+        throw InputError(fmt::format("a knot vector needs a degree of at least 1, not {}", degree));
     }
     if (degree > KnotVector::maxDegree) {
-        throw InputError(fmt::format("A knot vector of degree {} is beyond the limit of {}.",
-                                     degree, KnotVector::maxDegree));
+        throw InputError(fmt::format("a knot vector of degree {} is beyond the limit of {}", degree,
+                                     KnotVector::maxDegree));
     }
     const int nKnots = static_cast<int>(knots.size());
     if (nKnots < 2 * (degree + 1)) {
-        throw InputError(fmt::format("A knot vector of degree {} needs at least {} knots, not {}.",
+        throw InputError(fmt::format("a knot vector of degree {} needs at least {} knots, not {}",
                                      degree, 2 * (degree + 1), nKnots));
     }
     for (int i = 0; i < nKnots; ++i) {
         if (!std::isfinite(knots[i])) {
             throw InputError(
-                fmt::format("Knot {} of {} is {}: give a finite number.", i, nKnots, knots[i]));
+                fmt::format("knot {} of {} is {}: give a finite number", i, nKnots, knots[i]));
         }
         if (i > 0 && knots[i] < knots[i - 1]) {
-            throw InputError(fmt::format("Knot {} is {}, below the one before it, {}: knots must "
-                                         "not decrease.",
-                                         i, knots[i], knots[i - 1]));
+            throw InputError(
+                fmt::format("knot {} is {}, below the one before it, {}: knots must not "
+                            "decrease",
+                            i, knots[i], knots[i - 1]));
+        }
+    }
+}
+
+/// Spans must be resolved by double precision: what is computed in them is
+/// divided by their lengths, and recursions halve them.
+void checkSpans(const KnotVector& knots) {
+    const std::vector<double>& at = knots.breakpoints();
+    const double largest = std::max(std::abs(at.front()), std::abs(at.back()));
+    constexpr double least = 1e-50, most = 1e50;
+    if (!(largest < most)) {
+        throw InputError(
+            fmt::format("the knots reach from {} to {}: their magnitude must be below {:g}; scale "
+                        "the parameters",
+                        at.front(), at.back(), most));
+    }
+    for (std::size_t i = 1; i < at.size(); ++i) {
+        const double span = at[i] - at[i - 1];
+        if (!(span > std::max(least, 1e-14 * largest))) {
+            throw InputError(fmt::format("the knot span from {} to {} is too short for double "
+                                         "precision: make both the same knot, or scale and shift "
+                                         "the parameters",
+                                         at[i - 1], at[i]));
         }
     }
 }
@@ -46,14 +69,15 @@ void checkMultiplicities(int degree, const KnotVector& knots) {
         const int multiplicity = knots.multiplicity(knot);
         const bool isEnd = knot == knots.first() || knot == knots.last();
         if (isEnd && multiplicity != degree + 1) {
-            throw InputError(fmt::format("The end knot {} occurs {} times: an open knot vector of "
-                                         "degree {} needs it {} times.",
+            throw InputError(fmt::format("the end knot {} occurs {} times: an open knot vector of "
+                                         "degree {} needs it {} times",
                                          knot, multiplicity, degree, degree + 1));
         }
         if (!isEnd && multiplicity > degree) {
-            throw InputError(fmt::format("The inner knot {} occurs {} times: at most {} (the "
-                                         "degree) keep the curve continuous.",
-                                         knot, multiplicity, degree));
+            throw InputError(
+                fmt::format("the inner knot {} occurs {} times: at most {} (the degree) "
+                            "keep the curve continuous",
+                            knot, multiplicity, degree));
         }
     }
 }
@@ -119,15 +143,16 @@ KnotVector::KnotVector(int degree, std::vector<double> knots)
     : degree_(degree), knots_(std::move(knots)) {
     checkSequence(degree_, knots_);
     std::unique_copy(knots_.begin(), knots_.end(), std::back_inserter(breakpoints_));
+    checkSpans(*this);
     checkMultiplicities(degree_, *this);
 }
 
 KnotVector KnotVector::uniform(int degree, int nSpans, double first, double last) {
     if (nSpans < 1) {
-        throw InputError(fmt::format("A knot vector needs at least 1 span, not {}.", nSpans));
+        throw InputError(fmt::format("a knot vector needs at least 1 span, not {}", nSpans));
     }
     if (!(first < last)) {
-        throw InputError(fmt::format("A knot vector from {} to {} has no length.", first, last));
+        throw InputError(fmt::format("a knot vector from {} to {} has no length", first, last));
     }
     std::vector<double> knots(degree + 1, first);
     for (int i = 1; i < nSpans; ++i) {

@@ -36,11 +36,11 @@ class KnotVector {
     const std::vector<double>& breakpoints() const { return breakpoints_; }
     int nSpans() const { return static_cast<int>(breakpoints_.size()) - 1; }
 
-    /// How often the knot occurs; 0 if it is not a knot.
+    /// Multiplicity of a knot; 0 if it is none.
     int multiplicity(double knot) const;
 
     /// The span i, not empty, with knot i <= xi < knot i+1. The last span also
-    /// holds its end; a xi outside the range gets the first or the last span.
+    /// contains its end; a xi outside the range gets the first or the last span.
     int findSpan(double xi) const;
 
     /// Values and derivatives of the degree + 1 functions of a span.
@@ -50,11 +50,11 @@ class KnotVector {
     /// Source: Piegl & Tiller, The NURBS Book, algorithm A2.3
     Eigen::MatrixXd basisDerivatives(int span, double xi, int nDerivatives) const;
 
-    /// As basisDerivatives with one derivative, into memory that is there.
+    /// Basis functions and first derivatives, written into memory of the caller.
     /// @param N  2 x (degree + 1)
     void valuesAndSlopes(int span, double xi, Eigen::Matrix2Xd& N) const;
 
-    /// One parameter a function: the mean of its degree inner knots.
+    /// Greville parameter of each function: the mean of its degree inner knots.
     std::vector<double> grevilleAbscissae() const;
 
   private:

@@ -23,8 +23,8 @@ void makeRational(Eigen::MatrixXd& N, const Eigen::VectorXd& weights) {
 
 NurbsCurve::NurbsCurve(KnotVector knots, Points controlPoints, Eigen::VectorXd weights)
     : knots_(std::move(knots)), controlPoints_(std::move(controlPoints)),
-      weights_(checkedWeights(std::move(weights), knots_.nBasis(), "The curve")) {
-    checkControlPoints(controlPoints_, knots_.nBasis(), "The curve");
+      weights_(checkedWeights(std::move(weights), knots_.nBasis(), "the curve")) {
+    checkControlPoints(controlPoints_, knots_.nBasis(), "the curve");
 }
 
 CurveBasis NurbsCurve::basis(double xi, int nDerivatives) const {

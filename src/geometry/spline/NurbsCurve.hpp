@@ -41,7 +41,7 @@ class NurbsCurve {
     /// Source: Piegl & Tiller, The NURBS Book, equation 4.8 for each function
     CurveBasis basis(double xi, int nDerivatives) const;
 
-    /// The same functions with other control points (a deformed curve).
+    /// Curve of the same functions with other control points (a deformed one).
     NurbsCurve withControlPoints(Points controlPoints) const;
 
   private:

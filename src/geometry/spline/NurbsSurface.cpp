@@ -3,7 +3,6 @@
 
 #include "common/errors.hpp"
 #include "geometry/spline/rational.hpp"
-#include "geometry/spline/spanBasis.hpp"
 
 #include <fmt/format.h>
 
@@ -39,8 +38,8 @@ void makeRational(Eigen::MatrixXd& N, const Eigen::VectorXd& weights, int order)
 Edge edgeFromName(const std::string& name) {
     const auto found = std::find(edgeNames.begin(), edgeNames.end(), name);
     if (found == edgeNames.end()) {
-        throw InputError(fmt::format("There is no edge \"{}\": a patch has the edges left, right, "
-                                     "bottom and top.",
+        throw InputError(fmt::format("there is no edge \"{}\": a patch has the edges left, right, "
+                                     "bottom and top",
                                      name));
     }
     return static_cast<Edge>(found - edgeNames.begin());
@@ -53,8 +52,8 @@ std::string nameOf(Edge edge) {
 NurbsSurface::NurbsSurface(KnotVector u, KnotVector v, Points controlPoints,
                            Eigen::VectorXd weights)
     : u_(std::move(u)), v_(std::move(v)), controlPoints_(std::move(controlPoints)),
-      weights_(checkedWeights(std::move(weights), nControlPoints(), "The surface")) {
-    checkControlPoints(controlPoints_, nControlPoints(), "The surface");
+      weights_(checkedWeights(std::move(weights), nControlPoints(), "the surface")) {
+    checkControlPoints(controlPoints_, nControlPoints(), "the surface");
 }
 
 SurfaceBasis NurbsSurface::basis(double xi, double eta, int nDerivatives) const {

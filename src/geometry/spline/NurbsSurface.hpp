@@ -72,7 +72,7 @@ class NurbsSurface {
     /// The edge as a curve; left and right run along eta, bottom and top along xi.
     BoundaryCurve boundaryCurve(Edge edge) const;
 
-    /// The same functions with other control points (a deformed surface).
+    /// Surface of the same functions with other control points (a deformed one).
     NurbsSurface withControlPoints(Points controlPoints) const;
 
   private:
@@ -80,5 +80,10 @@ class NurbsSurface {
     Points controlPoints_;
     Eigen::VectorXd weights_;
 };
+
+/// Basis functions of given knot spans, as NurbsSurface::basis, whose polynomials
+/// continue outside of the spans.
+SurfaceBasis spanBasis(const NurbsSurface& surface, int spanU, int spanV, double xi, double eta,
+                       int nDerivatives);
 
 } // namespace tokay::geometry

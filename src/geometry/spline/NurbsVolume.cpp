@@ -29,7 +29,7 @@ void makeRational(const Eigen::VectorXd& weights, Eigen::Matrix<double, 4, Eigen
 Side sideFromName(const std::string& name) {
     const auto found = std::find(sideNames.begin(), sideNames.end(), name);
     if (found == sideNames.end()) {
-        throw InputError(fmt::format("There is no side \"{}\": a volume has the sides {}.", name,
+        throw InputError(fmt::format("there is no side \"{}\": a volume has the sides {}", name,
                                      fmt::join(sideNames, ", ")));
     }
     return static_cast<Side>(found - sideNames.begin());
@@ -43,8 +43,8 @@ NurbsVolume::NurbsVolume(KnotVector u, KnotVector v, KnotVector w, Points contro
                          Eigen::VectorXd weights)
     : directions_{std::move(u), std::move(v), std::move(w)},
       controlPoints_(std::move(controlPoints)),
-      weights_(checkedWeights(std::move(weights), nControlPoints(), "The volume")) {
-    checkControlPoints(controlPoints_, nControlPoints(), "The volume");
+      weights_(checkedWeights(std::move(weights), nControlPoints(), "the volume")) {
+    checkControlPoints(controlPoints_, nControlPoints(), "the volume");
 }
 
 VolumeBasis NurbsVolume::basis(const Eigen::Vector3d& parameters) const {

@@ -25,7 +25,7 @@ struct BoundarySurface {
     NurbsSurface surface;
     /// Number in the volume of each control point of the surface.
     std::vector<int> controlPoints;
-    /// Whether the surface's normal, xi x eta, points out of the volume.
+    /// True if the surface's normal, xi x eta, points out of the volume.
     bool pointsOutwards;
 };
 

@@ -56,13 +56,13 @@ int centralSpan(const KnotVector& old, const KnotVector& fine, int i) {
 KnotVector withKnots(const KnotVector& knots, const std::vector<double>& added) {
     for (const double knot : added) {
         if (!(knot > knots.first() && knot < knots.last())) {
-            throw InputError(fmt::format("The knot {} cannot be inserted: it must lie inside "
-                                         "({}, {}).",
-                                         knot, knots.first(), knots.last()));
+            throw InputError(
+                fmt::format("the knot {} cannot be inserted: it must lie inside ({}, {})", knot,
+                            knots.first(), knots.last()));
         }
     }
     if (!std::is_sorted(added.begin(), added.end())) {
-        throw InputError("Knots to insert must be ascending.");
+        throw InputError("knots to insert must be ascending");
     }
     std::vector<double> merged(knots.knots().size() + added.size());
     std::merge(knots.knots().begin(), knots.knots().end(), added.begin(), added.end(),
@@ -81,8 +81,8 @@ KnotVector withoutKnots(const KnotVector& knots, const std::vector<double>& remo
         }
     }
     if (next != removed.end()) {
-        throw InputError(fmt::format("The knot {} cannot be removed: it is not inside ({}, {}), "
-                                     "not there so often, or the knots to remove do not ascend.",
+        throw InputError(fmt::format("the knot {} cannot be removed: it is not inside ({}, {}), "
+                                     "not there so often, or the knots to remove do not ascend",
                                      *next, knots.first(), knots.last()));
     }
     return KnotVector(knots.degree(), std::move(left));
@@ -125,9 +125,9 @@ SplineCoefficients removeKnots(const SplineCoefficients& spline, const std::vect
     }
     const double off = (insertKnots(coarse, knots).rows - spline.rows).rowwise().norm().maxCoeff();
     if (off > tolerance * extent(spline.rows)) {
-        throw InputError(fmt::format("The knots cannot be removed: the spline is not smooth enough "
-                                     "there, its coefficients would be off by {:.2g} of their "
-                                     "extent (tolerance {:g}).",
+        throw InputError(fmt::format("the knots cannot be removed: the spline is not smooth "
+                                     "enough there, its coefficients would be off by {:.2g} of "
+                                     "their extent (tolerance {:g})",
                                      off / extent(spline.rows), tolerance));
     }
     return coarse;

@@ -13,17 +13,17 @@ struct SplineCoefficients {
     Eigen::MatrixXd rows;
 };
 
-/// The same spline with knots added (ascending, repeated as often as wanted).
+/// Spline with knots inserted (ascending, repeated as often as wanted).
 SplineCoefficients insertKnots(const SplineCoefficients& spline, const std::vector<double>& knots);
 
-/// The same spline with knots taken away (ascending, repeated as often as wanted).
+/// Spline with knots removed (ascending, repeated as often as wanted).
 /// @param tolerance  by how far coefficients may be off, relative to their extent
 /// @throws InputError if a knot is not there so often, or the spline is not smooth
 ///         enough there
 SplineCoefficients removeKnots(const SplineCoefficients& spline, const std::vector<double>& knots,
                                double tolerance);
 
-/// The same spline with a degree higher by one.
+/// Spline with its degree raised by one.
 SplineCoefficients elevateDegree(const SplineCoefficients& spline);
 
 } // namespace tokay::geometry

@@ -7,8 +7,8 @@ namespace tokay::geometry {
 
 namespace {
 
-/// Whether the parameter lies in the span, whose end belongs to the next one.
-bool holds(const KnotVector& knots, int span, double xi) {
+/// True if the parameter lies in the span, whose end belongs to the next one.
+bool contains(const KnotVector& knots, int span, double xi) {
     return span >= 0 && knots.knots()[span] <= xi && xi < knots.knots()[span + 1];
 }
 
@@ -38,7 +38,7 @@ void SurfaceEvaluator::gather(int spanU, int spanV) {
 
 void SurfaceEvaluator::enter(const Parameters& place) {
     const KnotVector &u = surface_.u(), &v = surface_.v();
-    if (holds(u, spanU_, place[0]) && holds(v, spanV_, place[1])) {
+    if (contains(u, spanU_, place[0]) && contains(v, spanV_, place[1])) {
         return;
     }
     const int spanU = u.findSpan(place[0]), spanV = v.findSpan(place[1]);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/spline/NurbsSurface.hpp"
-#include "geometry/spline/Parameters.hpp"
+#include "geometry/spline/Points.hpp"
 
 namespace tokay::geometry {
 
@@ -13,7 +13,7 @@ class SurfaceEvaluator {
     /// Borrows the surface.
     explicit SurfaceEvaluator(const NurbsSurface& surface);
 
-    /// Goes to the knot span that holds a place.
+    /// Goes to the knot span that contains a location.
     void enter(const Parameters& place);
     /// Evaluates the polynomials of the present span, beyond its ends too: so
     /// rounding at a knot line makes no other list of functions.
@@ -38,7 +38,7 @@ class SurfaceEvaluator {
     const NurbsSurface& surface_;
     int spanU_ = -1, spanV_ = -1;
     std::vector<int> controlPoints_;
-    /// One row a control point: (w x, w y, w z, w); w is 1 if the surface is polynomial.
+    /// Homogeneous control points, rows (w x, w y, w z, w); w is 1 if the surface is polynomial.
     Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor> homogeneous_;
     Eigen::Matrix2Xd Nu_, Nv_;
     Eigen::VectorXd N_;

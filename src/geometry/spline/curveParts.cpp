@@ -10,8 +10,9 @@
 
 namespace tokay::geometry {
 
-NurbsCurve reversed(const NurbsCurve& curve) {
-    const KnotVector& knots = curve.knotVector();
+namespace {
+
+KnotVector reversed(const KnotVector& knots) {
     std::vector<double> turned;
     for (auto knot = knots.knots().rbegin(); knot != knots.knots().rend(); ++knot) {
         // Not first + (last - knot): the ends must keep their last bit.
@@ -19,18 +20,38 @@ NurbsCurve reversed(const NurbsCurve& curve) {
         turned.push_back(isEnd ? (*knot == knots.first() ? knots.last() : knots.first())
                                : knots.first() + (knots.last() - *knot));
     }
+    return KnotVector(knots.degree(), std::move(turned));
+}
+
+} // namespace
+
+NurbsCurve reversed(const NurbsCurve& curve) {
     Eigen::VectorXd weights;
     if (curve.isRational()) {
         weights = curve.weights().reverse();
     }
-    return NurbsCurve(KnotVector(curve.degree(), std::move(turned)),
-                      curve.controlPoints().colwise().reverse(), std::move(weights));
+    return NurbsCurve(reversed(curve.knotVector()), curve.controlPoints().colwise().reverse(),
+                      std::move(weights));
+}
+
+NurbsSurface reversedXi(const NurbsSurface& surface) {
+    const int nU = surface.u().nBasis(), nV = surface.v().nBasis();
+    Points points(nU * nV, 3);
+    Eigen::VectorXd weights(surface.weights().size());
+    for (int k = 0; k < nU * nV; ++k) {
+        const int from = nU - 1 - k % nU + k / nU * nU;
+        points.row(k) = surface.controlPoints().row(from);
+        if (surface.isRational()) {
+            weights[k] = surface.weights()[from];
+        }
+    }
+    return NurbsSurface(reversed(surface.u()), surface.v(), std::move(points), std::move(weights));
 }
 
 NurbsCurve partOf(const NurbsCurve& curve, double from, double to) {
     const KnotVector& range = curve.knotVector();
     if (!(range.first() <= from && from < to && to <= range.last())) {
-        throw InputError(fmt::format("A curve over {} to {} has no part from {} to {}.",
+        throw InputError(fmt::format("a curve over {} to {} has no part from {} to {}",
                                      range.first(), range.last(), from, to));
     }
     std::vector<double> added;
@@ -57,6 +78,22 @@ NurbsCurve partOf(const NurbsCurve& curve, double from, double to) {
     }
     return NurbsCurve(KnotVector(degree, std::move(inner)),
                       cut.controlPoints().middleRows(first, n), std::move(weights));
+}
+
+Parameters startOf(const NurbsCurve& parameterCurve) {
+    return parameterCurve.controlPoints().row(0).head<2>();
+}
+
+Parameters endOf(const NurbsCurve& parameterCurve) {
+    return parameterCurve.controlPoints().row(parameterCurve.nControlPoints() - 1).head<2>();
+}
+
+NurbsCurve withEnds(const NurbsCurve& parameterCurve, const Parameters& start,
+                    const Parameters& end) {
+    Points points = parameterCurve.controlPoints();
+    points.row(0).head<2>() = start;
+    points.row(points.rows() - 1).head<2>() = end;
+    return parameterCurve.withControlPoints(std::move(points));
 }
 
 } // namespace tokay::geometry

@@ -16,7 +16,7 @@ struct RawSpline {
     Eigen::MatrixXd rows;
 };
 
-/// One knot more; any knot vector.
+/// Inserts one knot into any knot vector.
 /// Source: Boehm, Comput. Aided Des. 12, 1980
 void insertKnot(int degree, double knot, RawSpline& spline) {
     const auto after = std::upper_bound(spline.knots.begin(), spline.knots.end(), knot);
@@ -72,25 +72,25 @@ RawSpline turned(const RawSpline& spline) {
 SplineCoefficients openSpline(int degree, std::vector<double> knots, Eigen::MatrixXd rows) {
     const auto n = static_cast<std::size_t>(rows.rows()), p = static_cast<std::size_t>(degree);
     if (degree < 1) {
-        throw InputError(fmt::format("The degree is {}: it must be at least 1.", degree));
+        throw InputError(fmt::format("the degree is {}: it must be at least 1", degree));
     }
     if (n > p && knots.size() == n + p - 1) {
         knots.insert(knots.begin(), knots.front());
         knots.push_back(knots.back());
     }
     if (n <= p || knots.size() != n + p + 1) {
-        throw InputError(fmt::format("There are {} knots for {} control points of degree {}: {} "
-                                     "are needed (or {} without the first and the last).",
+        throw InputError(fmt::format("there are {} knots for {} control points of degree {}: {} "
+                                     "are needed (or {} without the first and the last)",
                                      knots.size(), n, degree, n + p + 1, n + p - 1));
     }
     for (std::size_t i = 1; i < knots.size(); ++i) {
         if (!(knots[i] >= knots[i - 1])) {
-            throw InputError(fmt::format("Knot {} is {}, less than the one before it, {}.", i,
+            throw InputError(fmt::format("knot {} is {}, less than the one before it, {}", i,
                                          knots[i], knots[i - 1]));
         }
     }
     if (!(knots[p] < knots[n])) {
-        throw InputError(fmt::format("The knots span no range: knot {} and knot {} are both {}.", p,
+        throw InputError(fmt::format("the knots span no range: knot {} and knot {} are both {}", p,
                                      n, knots[p]));
     }
     RawSpline spline{std::move(knots), std::move(rows)};

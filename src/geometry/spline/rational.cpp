@@ -7,6 +7,13 @@
 
 namespace tokay::geometry {
 
+namespace {
+
+/// Beyond it squares and products of a few numbers overflow.
+constexpr double largestMagnitude = 1e50;
+
+} // namespace
+
 double binomial(int n, int k) {
     double value = 1;
     for (int i = 1; i <= k; ++i) {
@@ -20,13 +27,15 @@ Eigen::VectorXd checkedWeights(Eigen::VectorXd weights, int n, const std::string
         return weights;
     }
     if (weights.size() != n) {
-        throw InputError(fmt::format("{} has {} weights for {} control points: give one for each.",
+        throw InputError(fmt::format("{} has {} weights for {} control points: give one for each",
                                      owner, weights.size(), n));
     }
     for (int i = 0; i < n; ++i) {
-        if (!(weights[i] > 0) || !std::isfinite(weights[i])) {
-            throw InputError(fmt::format("{}: weight {} is {}, but weights must be positive.",
-                                         owner, i, weights[i]));
+        if (!(weights[i] >= 1 / largestMagnitude && weights[i] <= largestMagnitude)) {
+            throw InputError(fmt::format("{}: weight {} is {}, but weights must be positive, from "
+                                         "{:g} to {:g}",
+                                         owner, i, weights[i], 1 / largestMagnitude,
+                                         largestMagnitude));
         }
     }
     if ((weights.array() == weights[0]).all()) {
@@ -37,13 +46,15 @@ Eigen::VectorXd checkedWeights(Eigen::VectorXd weights, int n, const std::string
 
 void checkControlPoints(const Points& points, int n, const std::string& owner) {
     if (points.rows() != n) {
-        throw InputError(fmt::format("{} has {} control points, but its knot vectors need {}.",
+        throw InputError(fmt::format("{} has {} control points, but its knot vectors need {}",
                                      owner, points.rows(), n));
     }
     for (int i = 0; i < n; ++i) {
-        if (!points.row(i).allFinite()) {
-            throw InputError(fmt::format("{}: control point {} is ({}, {}, {}), not finite.", owner,
-                                         i, points(i, 0), points(i, 1), points(i, 2)));
+        if (!(points.row(i).array().abs() <= largestMagnitude).all()) {
+            throw InputError(fmt::format("{}: control point {} is ({}, {}, {}): coordinates must "
+                                         "be finite and at most {:g}",
+                                         owner, i, points(i, 0), points(i, 1), points(i, 2),
+                                         largestMagnitude));
         }
     }
 }

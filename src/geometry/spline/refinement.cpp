@@ -88,7 +88,7 @@ Refinement removal(const std::vector<double>& knots, double tolerance) {
 
 Refinement elevation(int by) {
     if (by < 0) {
-        throw InputError(fmt::format("The degree cannot be raised by {}.", by));
+        throw InputError(fmt::format("the degree cannot be raised by {}", by));
     }
     return [by](SplineCoefficients spline) {
         for (int i = 0; i < by; ++i) {
@@ -112,12 +112,12 @@ std::vector<double> divisionKnots(const KnotVector& knots, int nDivisions) {
 
 Refinement kRefinement(const KnotVector& knots, int degree, int nDivisions) {
     if (degree < knots.degree()) {
-        throw InputError(fmt::format("The degree {} is below the geometry's own, {}: refinement "
-                                     "only raises it.",
+        throw InputError(fmt::format("the degree {} is below the geometry's own, {}: refinement "
+                                     "only raises it",
                                      degree, knots.degree()));
     }
     if (nDivisions < 1) {
-        throw InputError(fmt::format("A knot span cannot be cut into {} parts.", nDivisions));
+        throw InputError(fmt::format("a knot span cannot be cut into {} parts", nDivisions));
     }
     const Refinement elevate = elevation(degree - knots.degree());
     return [=](const SplineCoefficients& spline) {

@@ -37,7 +37,7 @@ NurbsSurface removeKnots(const NurbsSurface& surface, const std::vector<double>&
 
 NurbsSurface elevateDegree(const NurbsSurface& surface, int byU, int byV);
 
-/// As for the curve, in both directions: a surface of one span, as the
+/// Raises degrees and cuts spans in both directions: a surface of one span, as the
 /// primitives make them, gets nDivisionsU x nDivisionsV knot spans.
 NurbsSurface refine(const NurbsSurface& surface, int degreeU, int degreeV, int nDivisionsU,
                     int nDivisionsV);
@@ -46,7 +46,7 @@ NurbsVolume insertKnots(const NurbsVolume& volume, const std::array<std::vector<
 
 NurbsVolume elevateDegree(const NurbsVolume& volume, const std::array<int, 3>& by);
 
-/// As for the curve, in all three directions.
+/// Raises degrees and cuts spans in all three directions.
 NurbsVolume refine(const NurbsVolume& volume, const std::array<int, 3>& degrees,
                    const std::array<int, 3>& nDivisions);
 

@@ -38,10 +38,10 @@ void checkInside(const NurbsCurve& curve, const NurbsSurface& surface) {
         const double slack = 1e-9 * (last - first);
         const Eigen::Vector2d reached = extent(curve, axis);
         if (reached[0] < first - slack || reached[1] > last + slack) {
-            throw InputError(fmt::format("A trimming curve reaches {} = {} to {}, outside the "
-                                         "patch's range {} to {}.",
-                                         axis == 0 ? "xi" : "eta", reached[0], reached[1], first,
-                                         last));
+            throw InputError(
+                fmt::format("a trimming curve reaches {} = {} to {}, outside the patch's "
+                            "range {} to {}",
+                            axis == 0 ? "xi" : "eta", reached[0], reached[1], first, last));
         }
     }
 }

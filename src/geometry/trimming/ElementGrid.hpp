@@ -17,18 +17,18 @@ class ElementGrid {
     int nV() const { return static_cast<int>(eta_.size()) - 1; }
     int nElements() const { return nU() * nV(); }
     ParameterBox box(int element) const;
-    /// All elements together.
+    /// Box around all elements.
     ParameterBox box() const;
-    /// The element that holds a point; beyond the rim the nearest. A point on a
+    /// Element that contains a point; beyond the rim the nearest. A point on a
     /// knot line belongs to the element after it.
     int elementAt(const Parameters& point) const;
 
-    /// Pieces of curves cut at all knot lines, for each element those inside it
+    /// Pieces of curves cut at all knot lines, by the element that they lie in
     /// (one on a knot line belongs to either neighbour).
     /// @param pieces  monotone in both parameters
     std::vector<std::vector<PlaneBezier>> cut(const std::vector<PlaneBezier>& pieces) const;
 
-    /// For each element the winding numbers just left of it.
+    /// Winding numbers just left of each element.
     /// @param sides  as `cut` gives them
     std::vector<std::vector<WindingStep>>
     leftWindings(const std::vector<std::vector<PlaneBezier>>& sides) const;

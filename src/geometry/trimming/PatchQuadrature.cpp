@@ -19,18 +19,18 @@ namespace {
 void checkOptions(const QuadratureOptions& options) {
     constexpr int most = 100;
     if (options.degree < 0 || options.degree > most) {
-        throw InputError(fmt::format("The degree of quadrature is {}: choose 0 (by the basis) to "
-                                     "{}.",
+        throw InputError(fmt::format("the degree of quadrature is {}: choose 0 (by the basis) to "
+                                     "{}",
                                      options.degree, most));
     }
     if (options.nAlong < 0 || options.nAlong > most) {
-        throw InputError(fmt::format("The number of points along a curved side is {}: choose 0 "
-                                     "(by the degrees) to {}.",
+        throw InputError(fmt::format("the number of points along a curved side is {}: choose 0 "
+                                     "(by the degrees) to {}",
                                      options.nAlong, most));
     }
     if (!(options.chordTolerance > 0 && options.chordTolerance <= 1)) {
-        throw InputError(fmt::format("The chord tolerance is {}: it must be positive, in element "
-                                     "sizes, and at most 1.",
+        throw InputError(fmt::format("the chord tolerance is {}: it must be positive, in element "
+                                     "sizes, and at most 1",
                                      options.chordTolerance));
     }
 }
@@ -80,8 +80,8 @@ CutRule cutRuleFromName(const std::string& name) {
     if (name == "triangulated") {
         return CutRule::triangulated;
     }
-    throw InputError(fmt::format("There is no rule \"{}\" for cut elements: choose boundaryExact "
-                                 "or triangulated.",
+    throw InputError(fmt::format("there is no rule \"{}\" for cut elements: choose "
+                                 "boundaryExact or triangulated",
                                  name));
 }
 

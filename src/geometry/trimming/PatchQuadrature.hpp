@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "geometry/spline/ParameterPoint.hpp"
+#include "geometry/spline/Points.hpp"
 #include "geometry/trimming/TrimmedPatch.hpp"
 
 namespace tokay::geometry {
 
-/// How cut elements are integrated.
+/// Quadrature rules for cut elements.
 enum class CutRule {
     /// Tiles with one curved side, Gauss points along it and across: no error
     /// for polynomial trimming curves, and for rational ones an error that falls

@@ -97,14 +97,14 @@ TileSide TileSide::part(double etaFrom, double etaTo) const {
     if (!curve) {
         return *this;
     }
-    PlaneBezier rest = *curve;
-    if (rest.end()[1] != etaTo) {
-        rest = rest.split(rest.parameterAt(1, etaTo))[0];
+    PlaneBezier remainder = *curve;
+    if (remainder.end()[1] != etaTo) {
+        remainder = remainder.split(remainder.parameterAt(1, etaTo))[0];
     }
-    if (rest.start()[1] != etaFrom) {
-        rest = rest.split(rest.parameterAt(1, etaFrom))[1];
+    if (remainder.start()[1] != etaFrom) {
+        remainder = remainder.split(remainder.parameterAt(1, etaFrom))[1];
     }
-    return curved(rest.withEnds({rest.start()[0], etaFrom}, {rest.end()[0], etaTo}));
+    return curved(remainder.withEnds({remainder.start()[0], etaFrom}, {remainder.end()[0], etaTo}));
 }
 
 double TileSide::integral(double height) const {

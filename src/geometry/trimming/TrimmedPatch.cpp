@@ -22,11 +22,12 @@ void checkInside(const TrimmingLoop& loop, const ParameterBox& box, const std::s
         const Parameters& point = piece.start(); // monotone pieces: none lies further out
         const Parameters inside = point.cwiseMax(box.lower).cwiseMin(box.upper);
         if (((point - inside).cwiseAbs().array() > slack * box.size().array()).any()) {
-            throw InputError(fmt::format(
-                "Patch \"{}\": a trimming curve reaches ({:.9g}, {:.9g}), outside the parameter "
-                "range {:.9g} to {:.9g}, {:.9g} to {:.9g}. Give trimming curves in the parameters "
-                "of the surface.",
-                patch, point[0], point[1], box.lower[0], box.upper[0], box.lower[1], box.upper[1]));
+            throw InputError(fmt::format("patch \"{}\": a trimming curve reaches ({:.9g}, {:.9g}), "
+                                         "outside the parameter range {:.9g} to {:.9g}, {:.9g} to "
+                                         "{:.9g}; give trimming curves in the parameters of the "
+                                         "surface",
+                                         patch, point[0], point[1], box.lower[0], box.upper[0],
+                                         box.lower[1], box.upper[1]));
         }
     }
 }
@@ -35,9 +36,10 @@ void checkArrangement(const std::vector<TrimmingLoop>& loops, const std::string&
     for (std::size_t i = 0; i < loops.size(); ++i) {
         for (std::size_t j = i + 1; j < loops.size(); ++j) {
             if (loops[i].meets(loops[j])) {
-                throw InputError(fmt::format("Patch \"{}\": trimming loops {} and {} cross or "
-                                             "touch. Make one loop of them.",
-                                             patch, i, j));
+                throw InputError(
+                    fmt::format("patch \"{}\": trimming loops {} and {} cross or touch; make "
+                                "one loop of them",
+                                patch, i, j));
             }
         }
     }
@@ -51,7 +53,7 @@ void checkArrangement(const std::vector<TrimmingLoop>& loops, const std::string&
         const bool isHole = loops[i].kind() == LoopKind::inner;
         if (around != (isHole ? 1 : 0)) {
             throw InputError(fmt::format(
-                "Patch \"{}\": {} trimming loop {} lies {}.", patch, isHole ? "inner" : "outer", i,
+                "patch \"{}\": {} trimming loop {} lies {}", patch, isHole ? "inner" : "outer", i,
                 isHole ? "outside the outer loops; holes must lie inside one"
                        : "inside another outer loop; only a hole may lie there"));
         }

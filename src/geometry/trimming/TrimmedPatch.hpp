@@ -7,7 +7,7 @@
 
 namespace tokay::geometry {
 
-/// What trimming leaves of an element; an empty one is void.
+/// Part of an element that trimming leaves: all, some or none.
 enum class ElementState { full, cut, empty };
 
 /// Surface with trimming loops, and a basis on it that may be finer than the
@@ -18,10 +18,10 @@ class TrimmedPatch {
     /// A cut that takes, or leaves, no more than this fraction of an element
     /// counts as none: trim lines that miss a knot line by rounding.
     static constexpr double sliver = 1e-11;
-    /// Of the polygons of cut elements, in element sizes.
+    /// Chord tolerance of the polygons of cut elements, in element sizes.
     static constexpr double polygonTolerance = 1e-4;
 
-    /// The whole surface.
+    /// Untrimmed surface.
     explicit TrimmedPatch(NurbsSurface surface, std::string name = "patch");
 
     /// @param loops  outer and inner ones; without an outer one the rim of the
@@ -31,17 +31,17 @@ class TrimmedPatch {
     /// or a hole does not lie inside an outer loop.
     TrimmedPatch(NurbsSurface surface, std::vector<TrimmingLoop> loops, std::string name = "patch");
 
-    /// The same patch with another basis: degrees raised to those given, then
+    /// Copy of the patch in a finer basis: degrees raised to those given, then
     /// each knot span cut into equal parts. The parameters keep their meaning.
     /// @throws InputError as refine
     TrimmedPatch refined(int degreeU, int degreeV, int nDivisionsU, int nDivisionsV) const;
 
     const std::string& name() const { return name_; }
-    /// As given.
+    /// Surface as given.
     const NurbsSurface& surface() const { return surface_; }
-    /// The same surface in the refined basis.
+    /// Surface in the refined basis.
     const NurbsSurface& basis() const { return basis_; }
-    /// Whether the loops leave out any of the parameter rectangle.
+    /// True if the loops leave out any of the parameter rectangle.
     bool isTrimmed() const { return isTrimmed_; }
     const std::vector<TrimmingLoop>& loops() const { return loops_; }
 
@@ -50,22 +50,20 @@ class TrimmedPatch {
     int nElements() const { return grid_.nElements(); }
     int elementNumber(int i, int j) const { return i + nElementsU() * j; }
     ParameterBox elementBox(int element) const { return grid_.box(element); }
-    Parameters elementLower(int element) const { return elementBox(element).lower; }
-    Parameters elementUpper(int element) const { return elementBox(element).upper; }
     int elementAt(const Parameters& point) const { return grid_.elementAt(point); }
     ParameterBox box() const { return grid_.box(); }
     ElementState state(int element) const { return states_[element]; }
     std::vector<int> elements(ElementState state) const;
 
-    /// The part of a cut element inside the loops; empty for others.
+    /// Part of a cut element inside the loops; empty for other elements.
     const std::vector<Tile>& tiles(int element) const;
 
-    /// The part inside the loops of a convex cell that lies in one cut element:
+    /// Part inside the loops of a convex cell that lies in one cut element:
     /// polygons whose signed areas add up, chords no further from the loops than
     /// polygonTolerance times the element's size.
     std::vector<Polygon> clipped(const Polygon& cell) const;
 
-    /// Whether a point lies inside; on the rim, to rounding, either answer is right.
+    /// True if a point lies inside; on the rim, to rounding, either result is right.
     bool contains(const Parameters& point) const;
 
     /// The loops as polygons, chords no further from them than the tolerance
@@ -83,7 +81,7 @@ class TrimmedPatch {
     std::string name_;
     ElementGrid grid_;
     std::vector<ElementState> states_;
-    /// Of cut elements: exact, and as polygons.
+    /// Parts of cut elements inside the loops: exact, and as polygons.
     std::vector<std::vector<Tile>> tiles_;
     std::vector<std::vector<Polygon>> polygons_;
 };

@@ -4,6 +4,7 @@
 #include "common/errors.hpp"
 #include "geometry/bezier/bezierContact.hpp"
 #include "geometry/quadrature/gaussLegendre.hpp"
+#include "geometry/spline/curveParts.hpp"
 
 #include <fmt/format.h>
 
@@ -17,22 +18,8 @@ std::string text(const Parameters& point) {
     return fmt::format("({:.9g}, {:.9g})", point[0], point[1]);
 }
 
-Parameters head(const NurbsCurve& curve) {
-    return curve.controlPoints().row(0).head<2>();
-}
-Parameters tail(const NurbsCurve& curve) {
-    return curve.controlPoints().row(curve.nControlPoints() - 1).head<2>();
-}
-
-NurbsCurve withEnds(const NurbsCurve& curve, const Parameters& start, const Parameters& end) {
-    Points points = curve.controlPoints();
-    points.row(0).head<2>() = start;
-    points.row(points.rows() - 1).head<2>() = end;
-    return curve.withControlPoints(std::move(points));
-}
-
 ParameterBox boxAround(const std::vector<NurbsCurve>& curves) {
-    ParameterBox box{head(curves[0]), head(curves[0])};
+    ParameterBox box{startOf(curves[0]), startOf(curves[0])};
     for (const NurbsCurve& curve : curves) {
         const auto points = curve.controlPoints().leftCols<2>();
         box.lower = box.lower.cwiseMin(points.colwise().minCoeff().transpose());
@@ -47,18 +34,19 @@ std::vector<NurbsCurve> closed(std::vector<NurbsCurve> curves, const Parameters&
     std::vector<Parameters> joints(n); // before curve i
     for (std::size_t i = 0; i < n; ++i) {
         const std::size_t before = (i + n - 1) % n;
-        const Parameters end = tail(curves[before]), start = head(curves[i]);
+        const Parameters end = endOf(curves[before]), start = startOf(curves[i]);
         const Parameters gap = (end - start).cwiseAbs();
         if ((gap.array() > TrimmingLoop::closingTolerance * size.array()).any()) {
-            throw InputError(fmt::format(
-                "A trimming loop is open: curve {} ends at {}, but curve {} starts at {}. Let each "
-                "curve start where the one before it ends.",
-                before, text(end), i, text(start)));
+            throw InputError(
+                fmt::format("a trimming loop is open: curve {} ends at {}, but curve {} "
+                            "starts at {}; let each curve start where the one before it "
+                            "ends",
+                            before, text(end), i, text(start)));
         }
         joints[i] = gap.isZero(0) ? start : Parameters(0.5 * (start + end));
     }
     for (std::size_t i = 0; i < n; ++i) {
-        if (head(curves[i]) != joints[i] || tail(curves[i]) != joints[(i + 1) % n]) {
+        if (startOf(curves[i]) != joints[i] || endOf(curves[i]) != joints[(i + 1) % n]) {
             curves[i] = withEnds(curves[i], joints[i], joints[(i + 1) % n]);
         }
     }
@@ -70,18 +58,18 @@ void appendMonotone(const PlaneBezier& piece, std::vector<PlaneBezier>& pieces) 
     const std::vector<double> more = piece.extrema(1);
     turns.insert(turns.end(), more.begin(), more.end());
     std::sort(turns.begin(), turns.end());
-    PlaneBezier rest = piece;
+    PlaneBezier remainder = piece;
     double done = 0;
     for (const double t : turns) {
         if (t <= done + 1e-14 || t >= 1 - 1e-14) {
             continue;
         }
-        const auto [first, second] = rest.split((t - done) / (1 - done));
+        const auto [first, second] = remainder.split((t - done) / (1 - done));
         pieces.push_back(first);
-        rest = second;
+        remainder = second;
         done = t;
     }
-    pieces.push_back(rest);
+    pieces.push_back(remainder);
 }
 
 std::vector<PlaneBezier> monotonePieces(const std::vector<NurbsCurve>& curves) {
@@ -92,8 +80,8 @@ std::vector<PlaneBezier> monotonePieces(const std::vector<NurbsCurve>& curves) {
             appendMonotone(piece, pieces);
         }
         // Bezier pieces come from quotients, whose ends may be a rounding off.
-        pieces[first] = pieces[first].withEnds(head(curve), pieces[first].end());
-        pieces.back() = pieces.back().withEnds(pieces.back().start(), tail(curve));
+        pieces[first] = pieces[first].withEnds(startOf(curve), pieces[first].end());
+        pieces.back() = pieces.back().withEnds(pieces.back().start(), endOf(curve));
     }
     for (std::size_t i = 1; i < pieces.size(); ++i) {
         if (pieces[i].start() != pieces[i - 1].end()) {
@@ -101,6 +89,25 @@ std::vector<PlaneBezier> monotonePieces(const std::vector<NurbsCurve>& curves) {
         }
     }
     return pieces;
+}
+
+/// Pieces without those that are too short to be told from a touch of their
+/// neighbours (the hook of a control point that is off by rounding).
+std::vector<PlaneBezier> withoutShort(const std::vector<PlaneBezier>& pieces,
+                                      const Parameters& size) {
+    constexpr double shortest = 10 * TrimmingLoop::touchingTolerance;
+    std::vector<PlaneBezier> kept;
+    Parameters joint = pieces.front().start();
+    for (const PlaneBezier& piece : pieces) {
+        if (((piece.end() - joint).cwiseAbs().array() > shortest * size.array()).any()) {
+            kept.push_back(piece.start() == joint ? piece : piece.withEnds(joint, piece.end()));
+            joint = piece.end();
+        }
+    }
+    if (joint != pieces.back().end()) {
+        kept.back() = kept.back().withEnds(kept.back().start(), pieces.back().end());
+    }
+    return kept;
 }
 
 /// Pieces as seen in a box of unit size.
@@ -158,25 +165,25 @@ double sectorArea(const PlaneBezier& piece, const Parameters& origin) {
 
 TrimmingLoop::TrimmingLoop(LoopKind kind, std::vector<NurbsCurve> curves) : kind_(kind) {
     if (curves.empty()) {
-        throw InputError("A trimming loop has no curve: give it at least one.");
+        throw InputError("a trimming loop has no curve: give it at least one");
     }
     box_ = boxAround(curves);
     if (!(box_.size().array() > 0).all()) {
-        throw InputError(fmt::format("A trimming loop has no area: it lies between {} and {}.",
+        throw InputError(fmt::format("a trimming loop has no area: it lies between {} and {}",
                                      text(box_.lower), text(box_.upper)));
     }
     curves_ = closed(std::move(curves), box_.size());
-    pieces_ = monotonePieces(curves_);
+    pieces_ = withoutShort(monotonePieces(curves_), box_.size());
     if (const auto place = selfContact(halved(scaled(pieces_, box_)))) {
         const Parameters at = box_.lower + place->cwiseProduct(box_.size());
-        throw InputError(fmt::format("A trimming loop crosses or touches itself at {}. Correct its "
-                                     "curves, or make two loops of it.",
+        throw InputError(fmt::format("a trimming loop crosses or touches itself at {}; correct "
+                                     "its curves, or make two loops of it",
                                      text(at)));
     }
     const bool isOuter = kind == LoopKind::outer;
     if ((signedArea() > 0) != isOuter) {
-        throw InputError(fmt::format("An {} trimming loop (between {} and {}) runs {}, but must "
-                                     "run {}. Reverse its curves and their order.",
+        throw InputError(fmt::format("an {} trimming loop (between {} and {}) runs {}, but must "
+                                     "run {}; reverse its curves and their order",
                                      isOuter ? "outer" : "inner", text(box_.lower),
                                      text(box_.upper), isOuter ? "clockwise" : "counter-clockwise",
                                      isOuter ? "counter-clockwise" : "clockwise"));

@@ -34,18 +34,18 @@ class TrimmingLoop {
     const std::vector<PlaneBezier>& pieces() const { return pieces_; }
     const ParameterBox& box() const { return box_; }
 
-    /// Positive for an outer loop, negative for an inner one; exact for
+    /// Enclosed area, positive for an outer loop, negative for an inner one; exact for
     /// polynomial curves, to rounding for rational ones.
     double signedArea() const;
 
-    /// How often the loop winds around a point that is not on it: 1, 0 or -1.
+    /// Winding number around a point that is not on the loop: 1, 0 or -1.
     int winding(const Parameters& point) const;
 
     /// Polygon on the loop; where the chords leave it by more than the
     /// tolerance (in units of the parameters, for each direction) it is finer.
     Polygon tessellated(const Parameters& chordTolerance) const;
 
-    /// Whether the loops cross or touch.
+    /// True if the loops cross or touch.
     bool meets(const TrimmingLoop& other) const;
 
     /// The loop around a rectangle: bottom, right, top, left.

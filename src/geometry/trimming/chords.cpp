@@ -19,7 +19,7 @@ struct Chopper {
     double tolerance;
     std::vector<double> parameters;
 
-    /// What lies after from, up to and with to. Quarter points catch an
+    /// Appends the parameters after from, up to and with to. Quarter points catch an
     /// inflection in the middle.
     void chop(double from, const Point& a, double to, const Point& b, int depth) {
         constexpr int deepest = 20;

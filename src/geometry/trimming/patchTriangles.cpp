@@ -170,7 +170,7 @@ class Triangulation {
 PatchTriangles patchTriangles(const TrimmedPatch& patch, double chordTolerance) {
     if (!(chordTolerance > 0)) {
         throw InputError(
-            fmt::format("The chord tolerance is {}: it must be positive.", chordTolerance));
+            fmt::format("the chord tolerance is {}: it must be positive", chordTolerance));
     }
     return Triangulation(patch, chordTolerance).run();
 }

@@ -61,7 +61,7 @@ void appendOneSided(const Line& line, const PlaneBezier& side, const Rule& rule)
     }
 }
 
-/// By height: right for any sides, but no better than they are smooth in eta.
+/// Appends points by height: right for any sides, but no better than they are smooth in eta.
 void appendByHeight(const Tile& tile, const Rule& rule) {
     const QuadratureRule& along = gaussLegendre(rule.nAcross());
     for (std::size_t k = 0; k < along.points.size(); ++k) {
@@ -74,7 +74,7 @@ void appendByHeight(const Tile& tile, const Rule& rule) {
     }
 }
 
-/// Whether all of a side lies on one side of a line (sign 1: right of it).
+/// True if all of a side lies on one side of a line (sign 1: right of it).
 bool liesBeside(const PlaneBezier& side, const Line& line, double sign) {
     for (int i = 0; i <= side.degree(); ++i) {
         const Parameters point = side.controlPoint(i);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "geometry/spline/ParameterPoint.hpp"
+#include "geometry/spline/Points.hpp"
 #include "geometry/trimming/Tile.hpp"
 
 #include <vector>

@@ -18,21 +18,21 @@
 namespace tokay::structure {
 
 struct CaseSection::Implementation {
-    YamlPlace place;
+    LocatedNode place;
 
     // The entry as given, or its default.
-    YamlPlace value(const std::string& name) const {
-        const YamlPlace given = place.child(name);
+    LocatedNode value(const std::string& name) const {
+        const LocatedNode given = place.child(name);
         if (given.node.IsDefined()) {
             return given;
         }
-        const CaseEntry* entry = findCaseEntry(given.tablePath);
+        const CaseEntry* entry = findCaseEntry(given.tablePath());
         assert(entry && entry->presence == Presence::defaulted);
-        return {given.file, YAML::Load(entry->fallback), given.tablePath, given.path};
+        return {given.file, YAML::Load(entry->fallback), given.path};
     }
 
     void requireCount(const std::string& name, std::size_t count) const {
-        const YamlPlace list = value(name);
+        const LocatedNode list = value(name);
         if (list.node.size() != count) {
             throw list.error(fmt::format("must have {} value{} here, but has {}", count,
                                          count == 1 ? "" : "s", list.node.size()));
@@ -41,7 +41,7 @@ struct CaseSection::Implementation {
 
     template <class Read>
     auto values(const std::string& name, Read read) const {
-        const YamlPlace list = value(name);
+        const LocatedNode list = value(name);
         std::vector<decltype(read(list))> result;
         for (std::size_t i = 0; i < list.node.size(); ++i) {
             result.push_back(read(list.item(i)));
@@ -52,7 +52,7 @@ struct CaseSection::Implementation {
 
 namespace {
 
-Formula readFormula(const YamlPlace& place) {
+Formula readFormula(const LocatedNode& place) {
     return Formula(place.node.Scalar(), place.error("").what());
 }
 
@@ -81,7 +81,7 @@ CaseSection CaseSection::fromFile(const std::string& fileName) {
 }
 
 CaseSection CaseSection::fromText(const std::string& text, const std::string& fileName) {
-    YamlPlace root{fileName, {}, "", ""};
+    LocatedNode root{fileName, {}, ""};
     try {
         root.node = YAML::Load(text);
     } catch (const YAML::ParserException& exception) {
@@ -152,7 +152,7 @@ std::vector<int> CaseSection::integers(const std::string& name) const {
 }
 
 std::vector<std::string> CaseSection::words(const std::string& name) const {
-    return implementation_->values(name, [](const YamlPlace& p) { return p.node.Scalar(); });
+    return implementation_->values(name, [](const LocatedNode& p) { return p.node.Scalar(); });
 }
 
 std::vector<Formula> CaseSection::formulas(const std::string& name) const {
@@ -161,7 +161,7 @@ std::vector<Formula> CaseSection::formulas(const std::string& name) const {
 
 std::vector<std::vector<double>> CaseSection::points(const std::string& name) const {
     return implementation_->values(
-        name, [](const YamlPlace& p) { return p.node.as<std::vector<double>>(); });
+        name, [](const LocatedNode& p) { return p.node.as<std::vector<double>>(); });
 }
 
 std::vector<double> CaseSection::numbers(const std::string& name, std::size_t count) const {
@@ -198,13 +198,13 @@ CaseSection CaseSection::section(const std::string& name) const {
 }
 
 std::vector<CaseSection> CaseSection::list(const std::string& name) const {
-    return implementation_->values(name, [](const YamlPlace& p) {
+    return implementation_->values(name, [](const LocatedNode& p) {
         return CaseSection(std::make_unique<Implementation>(Implementation{p}));
     });
 }
 
 InputError CaseSection::error(const std::string& name, const std::string& message) const {
-    const YamlPlace place =
+    const LocatedNode place =
         name.empty() ? implementation_->place : implementation_->place.child(name);
     return place.node.IsDefined() ? place.error(message)
                                   : implementation_->place.error(name + ": " + message);

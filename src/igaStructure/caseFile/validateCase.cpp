@@ -30,7 +30,7 @@ std::string describe(const YAML::Node& node) {
     }
 }
 
-InputError wrongType(const YamlPlace& place, const std::string& wanted) {
+InputError wrongType(const LocatedNode& place, const std::string& wanted) {
     return place.error(fmt::format("must be {}, but is {}", wanted, describe(place.node)));
 }
 
@@ -38,8 +38,8 @@ std::string quotedList(const std::vector<std::string>& words) {
     return fmt::format("{}", fmt::join(words, ", "));
 }
 
-void requireKnownOnce(const YamlPlace& map) {
-    const std::vector<std::string> known = childNames(map.tablePath);
+void requireKnownOnce(const LocatedNode& map) {
+    const std::vector<std::string> known = childNames(map.tablePath());
     std::map<std::string, int> lines;
     for (const auto& pair : map.node) {
         const std::string name = pair.first.IsScalar() ? pair.first.Scalar() : "";
@@ -57,7 +57,7 @@ void requireKnownOnce(const YamlPlace& map) {
     }
 }
 
-void requireWord(const YamlPlace& place, const CaseEntry& entry) {
+void requireWord(const LocatedNode& place, const CaseEntry& entry) {
     const std::vector<std::string> allowed = splitWords(entry.allowed);
     if (!place.node.IsScalar()) {
         throw wrongType(place, "one of: " + quotedList(allowed));
@@ -69,21 +69,21 @@ void requireWord(const YamlPlace& place, const CaseEntry& entry) {
     }
 }
 
-void requireInside(const YamlPlace& place, double value, const CaseEntry& entry) {
+void requireInside(const LocatedNode& place, double value, const CaseEntry& entry) {
     if (!entry.allowed.empty() && !Interval(entry.allowed).contains(value)) {
         throw place.error(fmt::format("{} is out of range; allowed: {}{}", place.node.Scalar(),
                                       entry.allowed, entry.unit.empty() ? "" : " " + entry.unit));
     }
 }
 
-void requireYesNo(const YamlPlace& place) {
+void requireYesNo(const LocatedNode& place) {
     bool value = false;
     if (!place.node.IsScalar() || !YAML::convert<bool>::decode(place.node, value)) {
         throw wrongType(place, "yes or no");
     }
 }
 
-void requirePoint(const YamlPlace& place) {
+void requirePoint(const LocatedNode& place) {
     if (!place.node.IsSequence() || (place.node.size() != 2 && place.node.size() != 3)) {
         throw wrongType(place, "[x, y] or [x, y, z]");
     }
@@ -92,7 +92,7 @@ void requirePoint(const YamlPlace& place) {
     }
 }
 
-void requireScalar(const YamlPlace& place, const CaseEntry& entry) {
+void requireScalar(const LocatedNode& place, const CaseEntry& entry) {
     switch (entry.kind) {
     case Kind::number:
     case Kind::numbers:
@@ -131,7 +131,7 @@ bool isList(Kind kind) {
            kind == Kind::words || kind == Kind::formulas || kind == Kind::points;
 }
 
-void requireLength(const YamlPlace& list, const CaseEntry& entry) {
+void requireLength(const LocatedNode& list, const CaseEntry& entry) {
     if (!list.node.IsSequence()) {
         throw wrongType(list, entry.count > 0 ? fmt::format("a list of {}", entry.count)
                                               : "a list ([…], or lines that begin with -)");
@@ -145,7 +145,7 @@ void requireLength(const YamlPlace& list, const CaseEntry& entry) {
     }
 }
 
-void requireValue(const YamlPlace& place, const CaseEntry& entry) {
+void requireValue(const LocatedNode& place, const CaseEntry& entry) {
     if (entry.kind == Kind::map) {
         validateCase(place);
         return;
@@ -166,14 +166,14 @@ void requireValue(const YamlPlace& place, const CaseEntry& entry) {
 
 } // namespace
 
-void validateCase(const YamlPlace& map) {
+void validateCase(const LocatedNode& map) {
     if (!map.node.IsMap()) {
-        throw wrongType(map, "a map with the entries " + quotedList(childNames(map.tablePath)));
+        throw wrongType(map, "a map with the entries " + quotedList(childNames(map.tablePath())));
     }
     requireKnownOnce(map);
-    for (const std::string& name : childNames(map.tablePath)) {
-        const YamlPlace place = map.child(name);
-        const CaseEntry& entry = *findCaseEntry(place.tablePath);
+    for (const std::string& name : childNames(map.tablePath())) {
+        const LocatedNode place = map.child(name);
+        const CaseEntry& entry = *findCaseEntry(place.tablePath());
         if (place.node.IsDefined()) {
             requireValue(place, entry);
         } else if (entry.presence == Presence::required) {
@@ -182,7 +182,7 @@ void validateCase(const YamlPlace& map) {
     }
 }
 
-double readNumber(const YamlPlace& place) {
+double readNumber(const LocatedNode& place) {
     double value = 0;
     if (!place.node.IsScalar() || !YAML::convert<double>::decode(place.node, value)) {
         throw wrongType(place, "a number");
@@ -193,7 +193,7 @@ double readNumber(const YamlPlace& place) {
     return value;
 }
 
-int readInteger(const YamlPlace& place) {
+int readInteger(const LocatedNode& place) {
     int value = 0;
     if (!place.node.IsScalar() || !YAML::convert<int>::decode(place.node, value)) {
         throw wrongType(place, "an integer");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "igaStructure/caseFile/YamlPlace.hpp"
+#include "common/LocatedNode.hpp"
 
 namespace tokay::structure {
 
@@ -9,13 +9,13 @@ namespace tokay::structure {
 /// unknown, repeated and missing entries, types, ranges, lengths of lists,
 /// allowed words, formulas.
 /// @throws InputError for the first mistake
-void validateCase(const YamlPlace& map);
+void validateCase(const LocatedNode& map);
 
 /// The number at a place.
 /// @throws InputError if it is none, or not finite
-double readNumber(const YamlPlace& place);
+double readNumber(const LocatedNode& place);
 
 /// @throws InputError if it is none
-int readInteger(const YamlPlace& place);
+int readInteger(const LocatedNode& place);
 
 } // namespace tokay::structure

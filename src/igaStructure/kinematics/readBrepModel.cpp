@@ -45,8 +45,7 @@ geometry::BrepModel readUnrefined(const CaseSection& section, const std::string&
     if (shape != "cadJson") {
         return wholeSurface(readSpatialSurface(section, shape));
     }
-    return geometry::readCadJson((std::filesystem::path(directory) / section.text(shape)).string())
-        .model;
+    return geometry::readCadJson((std::filesystem::path(directory) / section.text(shape)).string());
 }
 
 } // namespace

@@ -7,9 +7,6 @@ namespace tokay::structure {
 
 namespace {
 
-constexpr std::uint8_t vtkQuad = 9;
-constexpr std::uint8_t vtkBezierQuadrilateral = 77;
-
 // A grid of (nU + 1) x (nV + 1) points on each element, xi fastest.
 std::vector<Place> gridPoints(const geometry::NurbsSurface& surface, int nU, int nV, int patch) {
     const std::vector<double>& xi = surface.u().breakpoints();
@@ -80,7 +77,7 @@ Eigen::MatrixXd toBernstein(const VtuMesh& mesh, const Eigen::MatrixXd& values) 
 
 VtuMesh quadMesh(const geometry::NurbsSurface& surface, int subdivision, int patch) {
     VtuMesh mesh;
-    mesh.cellType = vtkQuad;
+    mesh.cellType = VtkCell::quadrilateral;
     mesh.points = gridPoints(surface, subdivision, subdivision, patch);
     const int rowLength = subdivision + 1;
     const auto nPoints = static_cast<int>(mesh.points.size());
@@ -101,7 +98,7 @@ VtuMesh bezierMesh(const geometry::NurbsSurface& surface, int patch) {
     VtuMesh mesh;
     const int p = surface.u().degree();
     const int q = surface.v().degree();
-    mesh.cellType = vtkBezierQuadrilateral;
+    mesh.cellType = VtkCell::bezierQuadrilateral;
     mesh.degrees = {p, q, 0};
     mesh.cellSize = (p + 1) * (q + 1);
     mesh.points = gridPoints(surface, p, q, patch);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "common/VtuFile.hpp"
 #include "geometry/spline/NurbsSurface.hpp"
 #include "igaStructure/output/Place.hpp"
 
@@ -15,7 +16,7 @@ struct VtuMesh {
     std::vector<Place> points; ///< where fields are evaluated
     std::vector<std::int64_t> connectivity;
     int cellSize = 4; ///< points a cell
-    std::uint8_t cellType = 9;
+    VtkCell cellType = VtkCell::quadrilateral;
 
     /// Bezier cells only: degrees of each cell; weight of each control point;
     /// the rational functions' denominator at each point (empty: polynomial);

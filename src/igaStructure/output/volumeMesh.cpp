@@ -9,9 +9,6 @@ namespace tokay::structure {
 
 namespace {
 
-constexpr std::uint8_t vtkHexahedron = 12;
-constexpr std::uint8_t vtkBezierHexahedron = 79;
-
 // Grid of (n + 1) x (m + 1) x (l + 1) points on each element, xi fastest.
 std::vector<Place> gridPoints(const geometry::NurbsVolume& volume, const Eigen::Vector3i& n) {
     const auto parameter = [&](int axis, int span, int i) {
@@ -82,7 +79,7 @@ int vtkPointNumber(const Eigen::Vector3i& at, const Eigen::Vector3i& degrees) {
 VtuMesh hexahedronMesh(const geometry::NurbsVolume& volume, int subdivision) {
     VtuMesh mesh;
     mesh.cellSize = 8;
-    mesh.cellType = vtkHexahedron;
+    mesh.cellType = VtkCell::hexahedron;
     mesh.points = gridPoints(volume, Eigen::Vector3i::Constant(subdivision));
     const int row = subdivision + 1;
     const auto nPoints = static_cast<int>(mesh.points.size());
@@ -104,7 +101,7 @@ VtuMesh bezierMesh(const geometry::NurbsVolume& volume) {
     VtuMesh mesh;
     mesh.degrees = {volume.u().degree(), volume.v().degree(), volume.w().degree()};
     mesh.cellSize = (mesh.degrees.array() + 1).prod();
-    mesh.cellType = vtkBezierHexahedron;
+    mesh.cellType = VtkCell::bezierHexahedron;
     mesh.points = gridPoints(volume, mesh.degrees);
     mesh.toBernsteinXi = bernsteinInverse(mesh.degrees[0]);
     mesh.toBernsteinEta = bernsteinInverse(mesh.degrees[1]);

@@ -30,7 +30,7 @@ void addPiece(const VtuPiece& piece, VtuFile& file) {
     }
     const Eigen::MatrixXd points = fileValues(mesh, piece.positions);
     file.beginPiece({points.data(), points.data() + points.size()}, mesh.connectivity, ends,
-                    std::vector<std::uint8_t>(nCells, mesh.cellType));
+                    std::vector<VtkCell>(nCells, mesh.cellType));
     if (mesh.isBezier()) {
         addBezierData(mesh, nCells, file);
     }

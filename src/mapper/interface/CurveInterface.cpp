@@ -12,7 +12,7 @@ CurveInterface::CurveInterface(std::vector<std::unique_ptr<InterfaceCurve>> curv
                                Points coordinates)
     : curves_(std::move(curves)), coordinates_(std::move(coordinates)) {
     if (curves_.empty()) {
-        throw InputError("The interface has no piece: name at least one edge.");
+        throw InputError("the interface has no piece: name at least one edge");
     }
     std::vector<geometry::Box> boxes;
     geometry::Box all = geometry::Box::empty();
@@ -55,16 +55,17 @@ CurveInterface lineMesh(const Points& vertices, const std::vector<std::array<int
         const auto [first, last] = elements[i];
         for (const int vertex : {first, last}) {
             if (vertex < 0 || vertex >= vertices.rows()) {
-                throw InputError(fmt::format("Line element {} names the vertex {}, but there are "
-                                             "{} (numbers start at 0).",
-                                             i, vertex, vertices.rows()));
+                throw InputError(
+                    fmt::format("line element {} names the vertex {}, but there are {} "
+                                "(indices start at 0)",
+                                i, vertex, vertices.rows()));
             }
         }
         Points ends(2, 3);
         ends << vertices.row(first), vertices.row(last);
         if (!((ends.row(1) - ends.row(0)).norm() > 0)) {
             throw InputError(
-                fmt::format("Line element {} (vertices {} and {}) has no length.", i, first, last));
+                fmt::format("line element {} (vertices {} and {}) has no length", i, first, last));
         }
         const geometry::NurbsCurve line(geometry::KnotVector::uniform(1, 1), ends);
         curves.push_back(valuesAt == ValuesAt::vertices ? interfaceCurve(line, {first, last})

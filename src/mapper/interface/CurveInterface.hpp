@@ -2,7 +2,6 @@
 #pragma once
 
 #include "mapper/interface/InterfaceCurve.hpp"
-#include "mapper/interface/ValuesAt.hpp"
 
 #include <array>
 

@@ -16,7 +16,7 @@ struct NormalSlope : Functions {
     double measure; ///< area that the point stands for [m^2]
 };
 
-/// One curve of an interface, with the functions that live on it.
+/// Curve of an interface, with the functions that live on it.
 class InterfaceCurve {
   public:
     virtual ~InterfaceCurve() = default;
@@ -24,7 +24,7 @@ class InterfaceCurve {
     /// Ends of its elements, ascending.
     virtual const std::vector<double>& breakpoints() const = 0;
 
-    /// Of its functions along the curve: what quadrature has to match.
+    /// Degree of the functions along the curve, which quadrature has to match.
     virtual int degree() const = 0;
 
     /// @return (n + 1) x 3, n at most 2; row k is the k-th derivative by xi.
@@ -36,7 +36,7 @@ class InterfaceCurve {
 
     virtual geometry::Box box() const = 0;
 
-    /// In the whole elements that the curve cuts or, along a knot line, touches; none
+    /// Normal slopes in the whole elements that the curve cuts or, along a knot line, touches; none
     /// if the curve is not the edge of a patch.
     virtual std::vector<NormalSlope> normalSlopes() const { return {}; }
 };

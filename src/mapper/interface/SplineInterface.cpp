@@ -12,15 +12,16 @@ namespace {
 void checkNumbers(const SplinePiece& piece, int nControlPoints) {
     const int n = piece.curve.nControlPoints();
     if (static_cast<int>(piece.controlPoints.size()) != n) {
-        throw InputError(fmt::format("The interface piece {} has {} control point numbers for a "
-                                     "curve of {} control points.",
+        throw InputError(fmt::format("the interface piece {} has {} control point numbers for a "
+                                     "curve of {} control points",
                                      piece.name, piece.controlPoints.size(), n));
     }
     for (const int number : piece.controlPoints) {
         if (number < 0 || number >= nControlPoints) {
-            throw InputError(fmt::format("The interface piece {} names the control point {}, but "
-                                         "the structure has {} (numbers start at 0).",
-                                         piece.name, number, nControlPoints));
+            throw InputError(
+                fmt::format("the interface piece {} names the control point {}, but the "
+                            "structure has {} (indices start at 0)",
+                            piece.name, number, nControlPoints));
         }
     }
 }
@@ -45,10 +46,10 @@ Points gathered(const std::vector<SplinePiece>& pieces, int nControlPoints) {
             const auto here = piece.curve.controlPoints().row(i);
             const double distance = (coordinates.row(number) - here).norm();
             if (isKnown[number] && distance > 1e-9 * size) {
-                throw InputError(fmt::format("Control point {} is shared by interface pieces, but "
-                                             "in {} it lies {:.3g} m from where the pieces before "
-                                             "have it.",
-                                             number, piece.name, distance));
+                throw InputError(
+                    fmt::format("control point {} is shared by interface pieces, but in {} "
+                                "it lies {:.3g} m from where the pieces before have it",
+                                number, piece.name, distance));
             }
             coordinates.row(number) = here;
             isKnown[number] = true;

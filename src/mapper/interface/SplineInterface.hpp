@@ -6,12 +6,12 @@
 
 namespace tokay::mapper {
 
-/// One curve of a structure's wet boundary.
+/// Curve of a structure's wet boundary.
 struct SplinePiece {
     geometry::NurbsCurve curve;
     /// Number of each control point of the curve in the structure.
     std::vector<int> controlPoints;
-    /// For messages: "patch.edge".
+    /// Name of the curve, for messages: "patch.edge".
     std::string name;
 };
 

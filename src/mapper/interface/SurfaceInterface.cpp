@@ -16,20 +16,21 @@ namespace {
 void checkNumbers(const SurfacePiece& piece, int nControlPoints) {
     const int n = piece.patch.basis().nControlPoints();
     if (static_cast<int>(piece.controlPoints.size()) != n) {
-        throw InputError(fmt::format("The interface patch {} has {} control point numbers for a "
-                                     "surface of {} control points.",
+        throw InputError(fmt::format("the interface patch {} has {} control point numbers for a "
+                                     "surface of {} control points",
                                      piece.name, piece.controlPoints.size(), n));
     }
     for (const int number : piece.controlPoints) {
         if (number < 0 || number >= nControlPoints) {
-            throw InputError(fmt::format("The interface patch {} names the control point {}, but "
-                                         "the structure has {} (numbers start at 0).",
-                                         piece.name, number, nControlPoints));
+            throw InputError(
+                fmt::format("the interface patch {} names the control point {}, but the "
+                            "structure has {} (indices start at 0)",
+                            piece.name, number, nControlPoints));
         }
     }
 }
 
-/// Whether two opposite edges are the same curve.
+/// True if two opposite edges are the same curve.
 bool coincide(const NurbsSurface& surface, geometry::Edge a, geometry::Edge b) {
     const Points first = surface.boundaryCurve(a).curve.controlPoints();
     const Points last = surface.boundaryCurve(b).curve.controlPoints();
@@ -42,7 +43,7 @@ bool coincide(const NurbsSurface& surface, geometry::Edge a, geometry::Edge b) {
 SurfaceInterface::SurfaceInterface(std::vector<SurfacePiece> pieces, int nControlPoints)
     : pieces_(std::move(pieces)), firstElement_{0}, coordinates_(Points::Zero(nControlPoints, 3)) {
     if (pieces_.empty()) {
-        throw InputError("The interface has no patch: name at least one.");
+        throw InputError("the interface has no patch: name at least one");
     }
     Box all = Box::empty();
     for (const SurfacePiece& piece : pieces_) {

@@ -11,12 +11,12 @@
 
 namespace tokay::mapper {
 
-/// One patch of a structure's wet surface.
+/// Patch of a structure's wet surface.
 struct SurfacePiece {
     geometry::TrimmedPatch patch;
     /// Number in the structure of each control point of the patch's basis.
     std::vector<int> controlPoints;
-    /// For messages.
+    /// Name of the patch, for messages.
     std::string name;
 };
 
@@ -32,7 +32,7 @@ class SurfaceInterface : public Discretisation {
     const SurfacePiece& piece(int i) const { return pieces_[i]; }
     const geometry::SurfaceProjector& projector(int i) const { return projectors_[i]; }
     const geometry::Box& box(int i) const { return boxes_[i]; }
-    /// Whether the patch closes along xi, along eta (the seam of a cylinder).
+    /// True if the patch closes along xi, along eta (the seam of a cylinder).
     std::array<bool, 2> isClosed(int i) const { return isClosed_[i]; }
 
     /// Degenerate edges of the patch.

@@ -32,7 +32,7 @@ SurfaceMesh::SurfaceMesh(Points vertices, Faces faces, ValuesAt valuesAt)
       centroids_(Points::Zero(faces_.size(), 3)) {
     checkPoints(vertices_);
     if (faces_.empty()) {
-        throw InputError("The mesh of the interface has no face.");
+        throw InputError("the mesh of the interface has no face");
     }
     for (int face = 0; face < nFaces(); ++face) {
         checkFace(face);
@@ -52,16 +52,16 @@ void SurfaceMesh::checkFace(int face) const {
     const std::vector<int>& corners = faces_[face];
     if (corners.size() < 3) {
         throw InputError(
-            fmt::format("Face {} has {} vertices: a face needs at least 3.", face, corners.size()));
+            fmt::format("face {} has {} vertices: a face needs at least 3", face, corners.size()));
     }
     for (std::size_t i = 0; i < corners.size(); ++i) {
         if (corners[i] < 0 || corners[i] >= vertices_.rows()) {
-            throw InputError(fmt::format("Face {} names the vertex {}, but there are {} (numbers "
-                                         "start at 0).",
+            throw InputError(fmt::format("face {} names the vertex {}, but there are {} (indices "
+                                         "start at 0)",
                                          face, corners[i], vertices_.rows()));
         }
         if (std::count(corners.begin(), corners.end(), corners[i]) > 1) {
-            throw InputError(fmt::format("Face {} names the vertex {} twice.", face, corners[i]));
+            throw InputError(fmt::format("face {} names the vertex {} twice", face, corners[i]));
         }
     }
 }
@@ -81,8 +81,8 @@ void SurfaceMesh::addTriangles(int face) {
         // A vertex in the middle of a side makes no flat triangle with the
         // centre, so a flat one means a broken face.
         if (!(triangle.area() > 1e-13 * longest * longest)) {
-            throw InputError(fmt::format("Face {} has no area at its vertices {} and {} (around "
-                                         "({:.6g}, {:.6g}, {:.6g})): repair or remove it.",
+            throw InputError(fmt::format("face {} has no area at its vertices {} and {} (around "
+                                         "({:.6g}, {:.6g}, {:.6g})): repair or remove it",
                                          face, corners[i], corners[(i + 1) % n], centre[0],
                                          centre[1], centre[2]));
         }

@@ -4,7 +4,6 @@
 #include "geometry/projection/BoxTree.hpp"
 #include "geometry/quadrature/Triangle.hpp"
 #include "mapper/Discretisation.hpp"
-#include "mapper/interface/ValuesAt.hpp"
 
 #include <memory>
 
@@ -33,7 +32,7 @@ class SurfaceMesh : public Discretisation {
 
     const Points& vertices() const { return vertices_; }
     int nFaces() const { return static_cast<int>(faces_.size()); }
-    /// All triangles; those of one face follow each other.
+    /// Triangles of all faces; those of one face follow each other.
     int nTriangles() const { return static_cast<int>(triangles_.size()); }
     const geometry::Triangle& triangle(int i) const { return triangles_[i]; }
     int faceOf(int triangle) const { return faceOf_[triangle]; }
@@ -45,7 +44,7 @@ class SurfaceMesh : public Discretisation {
     /// face's triangles. Outside the triangle they are continued linearly.
     Functions functions(int triangle, const geometry::Barycentric& at) const;
 
-    /// The same, into memory that is there.
+    /// Functions written into memory of the caller.
     void evaluate(int triangle, const geometry::Barycentric& at, Functions& functions) const;
 
     /// Degree of the functions on a triangle.

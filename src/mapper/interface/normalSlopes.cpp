@@ -2,7 +2,7 @@
 #include "mapper/interface/normalSlopes.hpp"
 
 #include "geometry/quadrature/gaussLegendre.hpp"
-#include "geometry/spline/Parameters.hpp"
+#include "geometry/spline/Points.hpp"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>

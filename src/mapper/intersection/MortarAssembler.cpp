@@ -113,23 +113,23 @@ void MortarAssembler::endGroup() {
     nParts_ = 0;
 }
 
-SparseMatrix MortarAssembler::massMatrix() const {
+RowSparseMatrix MortarAssembler::massMatrix() const {
     std::vector<Eigen::Triplet<double>> entries = mass_;
     for (const ElementMass& element : elements_) {
         append(element.values, element.values, element.matrix, entries);
     }
-    SparseMatrix matrix(nTo_, nTo_);
+    RowSparseMatrix matrix(nTo_, nTo_);
     matrix.setFromTriplets(entries.begin(), entries.end());
     return matrix;
 }
 
-SparseMatrix MortarAssembler::crossMatrix() const {
-    SparseMatrix matrix(nTo_, nFrom_);
+RowSparseMatrix MortarAssembler::crossMatrix() const {
+    RowSparseMatrix matrix(nTo_, nFrom_);
     matrix.setFromTriplets(cross_.begin(), cross_.end());
     return matrix;
 }
 
-int MortarAssembler::nUncovered(const SparseMatrix& massMatrix) const {
+int MortarAssembler::nUncovered(const RowSparseMatrix& massMatrix) const {
     int n = 0;
     for (int i = 0; i < nTo_; ++i) {
         n += isOnInterface_[i] && massMatrix.coeff(i, i) <= 0;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "mapper/Discretisation.hpp"
-#include "mapper/SparseMatrix.hpp"
+#include "mapper/RowSparseMatrix.hpp"
 
 namespace tokay::mapper {
 
@@ -31,10 +31,10 @@ class MortarAssembler {
     /// Source of the dual basis: Wohlmuth, SIAM J. Numer. Anal. 38, 2000
     void endGroup();
 
-    SparseMatrix massMatrix() const;
-    SparseMatrix crossMatrix() const;
+    RowSparseMatrix massMatrix() const;
+    RowSparseMatrix crossMatrix() const;
     /// Values on the destination's interface that have no mass.
-    int nUncovered(const SparseMatrix& massMatrix) const;
+    int nUncovered(const RowSparseMatrix& massMatrix) const;
 
   private:
     struct ElementMass {
@@ -61,7 +61,7 @@ class MortarAssembler {
     std::vector<Eigen::Triplet<double>> mass_, cross_;
     std::vector<char> isOnInterface_;
 
-    /// The first nParts_ belong to the current group; the rest are memory to reuse.
+    /// The first nParts_ belong to the current group; the others are memory to reuse.
     std::vector<Part> parts_;
     std::size_t nParts_ = 0;
 };

@@ -20,14 +20,14 @@ class ProjectedCorners {
   private:
     ProjectedCorner projected(int triangle, int i, int piece) const;
 
-    /// One patch's projection; the next entry is another patch's of the same vertex.
+    /// Projection onto one patch; the next entry is that of the same vertex onto another.
     struct Entry {
         int piece, next;
         ProjectedCorner corner;
     };
     const SurfaceMesh& mesh_;
     const SurfaceInterface& splines_;
-    /// By vertex: number of its first entry, or none (-1).
+    /// Index of the first entry of each vertex; -1 if it has none.
     std::vector<int> first_;
     std::vector<Entry> entries_;
     /// The centre of a face belongs to that face's triangles only.

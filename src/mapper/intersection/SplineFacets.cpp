@@ -7,7 +7,8 @@ namespace tokay::mapper {
 
 namespace {
 
-/// What a corner of three trimming curves or a pole leaves has no area to map.
+/// False for a triangle that a corner of three trimming curves or a pole leaves
+/// without area.
 bool hasArea(const Points& points, const std::array<int, 3>& corners) {
     const geometry::Triangle triangle(points.row(corners[0]), points.row(corners[1]),
                                       points.row(corners[2]));

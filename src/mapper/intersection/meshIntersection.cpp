@@ -51,7 +51,7 @@ class Plane {
         return polygon;
     }
 
-    /// A rectangle of the plane that holds the box's projection.
+    /// A rectangle of the plane that contains the box's projection.
     Rectangle project(const geometry::Box& box) const {
         const Eigen::Vector2d middle = project(box.centre());
         const Eigen::Vector2d half = 0.5 * (axes_.cwiseAbs() * (box.upper - box.lower));
@@ -104,7 +104,7 @@ class Integration {
     }
 
   private:
-    /// Those within reach of which the box, seen along the normal, overlaps the target:
+    /// Triangles within reach of which the box, seen along the normal, overlaps the target:
     /// no other one has a piece of it.
     std::vector<int> sourcesAlongNormal(const Triangle& destination, const Plane& plane,
                                         const Polygon& target) const {

@@ -172,7 +172,7 @@ class Intersection {
         return area;
     }
 
-    /// Of patches within reach, as the sides of a thin body, the nearest counts.
+    /// Nearest of the patches within reach, such as the two sides of a thin body.
     bool isClosest(int triangle, int piece, const Polygon& cell) const {
         Eigen::Vector2d middle = Eigen::Vector2d::Zero();
         for (const Eigen::Vector2d& x : cell) {

@@ -20,7 +20,7 @@ struct IntersectionPoint {
     Functions onPatch; ///< of the patch, by the structure's numbers
 };
 
-/// What the intersection tells, in this order for each triangle of the mesh.
+/// Callbacks of the intersection, in this order for each triangle of the mesh.
 struct IntersectionVisitor {
     std::function<void(const IntersectionPoint&)> point;
     /// @param coveredShare  of the triangle by patches, 0 to 1

@@ -13,7 +13,7 @@ namespace {
 
 using ColumnMatrix = Eigen::SparseMatrix<double>;
 
-std::vector<int> rowsOfEither(const SparseMatrix& a, const SparseMatrix& b) {
+std::vector<int> rowsOfEither(const RowSparseMatrix& a, const RowSparseMatrix& b) {
     const std::vector<int> inA = rowsNotZero(a), inB = rowsNotZero(b);
     std::vector<int> both;
     std::set_union(inA.begin(), inA.end(), inB.begin(), inB.end(), std::back_inserter(both));
@@ -49,22 +49,22 @@ ColumnMatrix saddleMatrix(const ColumnMatrix& gradient, const ColumnMatrix& trac
 
 } // namespace
 
-GradientExtension::GradientExtension(const SparseMatrix& mass, const SparseMatrix& gradient)
+GradientExtension::GradientExtension(const RowSparseMatrix& mass, const RowSparseMatrix& gradient)
     : n_(mass.rows()) {
     if (gradient.nonZeros() == 0) {
-        throw SolverError("There is no gradient term on this interface: it has no edge of a "
-                          "trimmed patch. Choose the minimum norm solution.");
+        throw SolverError("there is no gradient term on this interface: it has no edge "
+                          "of a trimmed patch; choose the minimum norm solution");
     }
     active_ = rowsOfEither(mass, gradient);
     trace_.compute(restricted(mass, active_));
     if (trace_.info() != Eigen::Success) {
-        throw SolverError("The QR decomposition of the mass matrix failed (SPQR).");
+        throw SolverError("the QR decomposition of the mass matrix failed (SPQR)");
     }
     rank_ = trace_.rank();
     saddle_.compute(saddleMatrix(restricted(gradient, active_), traceRows()));
     if (saddle_.info() != Eigen::Success) {
-        throw SolverError("The gradient term leaves values on the interface open: choose the "
-                          "minimum norm solution.");
+        throw SolverError("the gradient term leaves values on the interface open: "
+                          "choose the minimum norm solution");
     }
 }
 

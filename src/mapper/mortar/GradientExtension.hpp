@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mapper/SparseMatrix.hpp"
+#include "mapper/RowSparseMatrix.hpp"
 
 #include <Eigen/SPQRSupport>
 #include <Eigen/SparseLU>
@@ -11,7 +11,7 @@
 namespace tokay::mapper {
 
 /// Solves M x = b with a singular M, and of all solutions takes the one with the
-/// least x^T G x: the trace fixes what it can, the gradient term G the rest. This is the
+/// least x^T G x: the trace fixes what it can, the gradient term G the others. This is the
 /// limit of small epsilon of EGM's functional
 ///   1/2 int_edge (u - uBar)^2 + epsilon/2 int_whole cut elements (du/dn)^2,
 /// so the trace is the one of any other choice, and fields that do not change across the
@@ -24,7 +24,7 @@ class GradientExtension {
   public:
     /// @param mass, gradient  symmetric, of one size
     /// @throws SolverError if the two together do not determine all values
-    GradientExtension(const SparseMatrix& mass, const SparseMatrix& gradient);
+    GradientExtension(const RowSparseMatrix& mass, const RowSparseMatrix& gradient);
 
     /// @param rhs  n x m, in the range of M
     Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs) const;
@@ -33,7 +33,7 @@ class GradientExtension {
   private:
     using ColumnMatrix = Eigen::SparseMatrix<double>;
 
-    /// What of the trace is determined: rank_ x active values.
+    /// Determined part of the trace, rank_ x active values.
     ColumnMatrix traceRows() const;
 
     Eigen::Index n_;

@@ -45,9 +45,10 @@ class MassInverse::PseudoInverse : public Factorisation {
         second_.setPivotThreshold(0); // the rank is told once
         decompose(second_, rows.transpose());
         if (second_.rank() != rank_) {
-            throw SolverError(fmt::format("The mass matrix has rank {} by its columns and {} by "
-                                          "its rows.",
-                                          rank_, second_.rank()));
+            throw SolverError(
+                fmt::format("the mass matrix has rank {} by its columns and {} by its "
+                            "rows",
+                            rank_, second_.rank()));
         }
         triangle_ = ColumnMatrix(second_.matrixR()).topLeftCorner(rank_, rank_);
     }
@@ -68,7 +69,7 @@ class MassInverse::PseudoInverse : public Factorisation {
     static void decompose(Eigen::SPQR<ColumnMatrix>& qr, const ColumnMatrix& matrix) {
         qr.compute(matrix);
         if (qr.info() != Eigen::Success) {
-            throw SolverError("The QR decomposition of the mass matrix failed (SPQR).");
+            throw SolverError("the QR decomposition of the mass matrix failed (SPQR)");
         }
     }
 
@@ -85,14 +86,15 @@ double MassInverse::conditionWith(const Factorisation& factorisation) const {
     return largestEigenvalue(nActive(), forwards) * largestEigenvalue(nActive(), backwards);
 }
 
-MassInverse::MassInverse(const SparseMatrix& matrix, SingularMass singular,
-                         const SparseMatrix& gradientTerm)
+MassInverse::MassInverse(const RowSparseMatrix& matrix, SingularMass singular,
+                         const RowSparseMatrix& gradientTerm)
     : n_(static_cast<int>(matrix.rows())), active_(rowsNotZero(matrix)),
       reduced_(restricted(matrix, active_)) {
     if (active_.empty()) {
-        throw SolverError("The mass matrix is zero: the two sides of the interface do not meet.");
+        throw SolverError("the mass matrix is zero: the two sides of the interface do "
+                          "not meet");
     }
-    // Beyond this condition Cholesky's answer has no digit that SPQR would call certain.
+    // Beyond this condition Cholesky's solution has no digit that SPQR would call certain.
     constexpr double largestCondition = 1e13;
     auto cholesky = std::make_unique<Cholesky>(reduced_);
     if (cholesky->succeeded()) {
@@ -106,12 +108,12 @@ MassInverse::MassInverse(const SparseMatrix& matrix, SingularMass singular,
     auto pseudoInverse = std::make_unique<PseudoInverse>(reduced_);
     rank_ = pseudoInverse->rank();
     if (rank_ < nActive() && singular == SingularMass::refuse) {
-        throw SolverError(fmt::format(
-            "The mass matrix of the destination is singular: {} functions reach the interface, "
-            "but their traces span only {} dimensions (a trimmed edge does that). Choose the "
-            "minimum norm solution or the gradient term, or map to an edge that the basis "
-            "interpolates.",
-            nActive(), rank_));
+        throw SolverError(fmt::format("the mass matrix of the destination is singular: {} "
+                                      "functions reach the interface, but their traces span only "
+                                      "{} dimensions (a trimmed edge does that); choose the "
+                                      "minimum norm solution or the gradient term, or map to an "
+                                      "edge that the basis interpolates",
+                                      nActive(), rank_));
     }
     condition_ = conditionWith(*pseudoInverse);
     factorisation_ = std::move(pseudoInverse);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mapper/SparseMatrix.hpp"
+#include "mapper/RowSparseMatrix.hpp"
 
 #include <memory>
 
 namespace tokay::mapper {
 
-/// What to do with a mass matrix that does not determine all its values, as
+/// Treatment of a mass matrix that does not determine all its values, as
 /// that of a trimmed edge: the trace has fewer dimensions than there are functions.
 enum class SingularMass {
     refuse,
@@ -25,8 +25,8 @@ class MassInverse {
     /// @param gradientTerm  of the same size, for the choice of that name
     /// @throws SolverError if the matrix is singular and this is to be refused, or
     /// the gradient term leaves values open
-    MassInverse(const SparseMatrix& matrix, SingularMass singular,
-                const SparseMatrix& gradientTerm = {});
+    MassInverse(const RowSparseMatrix& matrix, SingularMass singular,
+                const RowSparseMatrix& gradientTerm = {});
     ~MassInverse();
     MassInverse(MassInverse&&) noexcept;
     MassInverse& operator=(MassInverse&&) noexcept;

@@ -10,7 +10,6 @@
 #include "mapper/intersection/curveIntersection.hpp"
 #include "mapper/intersection/meshIntersection.hpp"
 #include "mapper/intersection/patchIntersection.hpp"
-#include "mapper/mortar/normalEnergy.hpp"
 
 namespace tokay::mapper {
 
@@ -102,7 +101,7 @@ void integrateIntersection(const SurfaceInterface& from, const SurfaceMesh& to,
               visitor);
 }
 
-/// Of the triangles that stand for the source's knot spans. It moves the lines
+/// Chord tolerance of the triangles that stand for the source's knot spans. It moves the lines
 /// where the source is less smooth, which costs no order.
 constexpr double facetTolerance = 1e-3;
 
@@ -131,10 +130,30 @@ void integrateIntersection(const SurfaceInterface& from, const SurfaceInterface&
     }
 }
 
+/// Gradient term of an interface: integral of (du/dn)^2 over the whole elements
+/// that its trimmed edges cut, with n along the surface and normal to the edge.
+/// @return nValues x nValues; empty if no curve is the edge of a patch
+RowSparseMatrix normalEnergy(const CurveInterface& interface) {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int i = 0; i < interface.nCurves(); ++i) {
+        for (const NormalSlope& at : interface.curve(i).normalSlopes()) {
+            for (std::size_t k = 0; k < at.values.size(); ++k) {
+                for (std::size_t l = 0; l < at.values.size(); ++l) {
+                    entries.emplace_back(at.values[k], at.values[l],
+                                         at.measure * at.weights[k] * at.weights[l]);
+                }
+            }
+        }
+    }
+    RowSparseMatrix matrix(interface.nValues(), interface.nValues());
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    return matrix;
+}
+
 void refuseDualBasis(const MortarOptions& options) {
     if (options.basis == MortarBasis::dual) {
-        throw InputError("There is no dual basis for splines on patches: choose the standard "
-                         "mortar basis.");
+        throw InputError("there is no dual basis for splines on patches: choose the "
+                         "standard mortar basis");
     }
 }
 
@@ -143,7 +162,7 @@ void refuseDualBasis(const MortarOptions& options) {
 template <class From, class To, class Integrate>
 void MortarMapping::build(const From& from, const To& to, const MortarOptions& options,
                           MortarAssembler assembler, Integrate integrate,
-                          const SparseMatrix& gradientTerm) {
+                          const RowSparseMatrix& gradientTerm) {
     const Stopwatch watch;
     GapStatistics gaps(options.gapLimit, from.size());
     integrate(assembler, gaps);
@@ -160,7 +179,7 @@ MortarMapping::MortarMapping(const CurveInterface& from, const CurveInterface& t
             integrateIntersection(from, to, options.gapLimit, options.nExtraPoints, assembler,
                                   gaps);
         },
-        options.singular == SingularMass::gradientTerm ? normalEnergy(to) : SparseMatrix());
+        options.singular == SingularMass::gradientTerm ? normalEnergy(to) : RowSparseMatrix());
 }
 
 MortarMapping::MortarMapping(const SurfaceMesh& from, const SurfaceMesh& to,
@@ -199,7 +218,7 @@ MortarMapping::MortarMapping(const SurfaceInterface& from, const SurfaceInterfac
 
 void MortarMapping::finish(const MortarAssembler& assembler, const MortarOptions& options,
                            const Discretisation& from, const Discretisation& to,
-                           const SparseMatrix& gradientTerm) {
+                           const RowSparseMatrix& gradientTerm) {
     report_.method = options.basis == MortarBasis::dual ? "mortar, dual basis" : "mortar";
     mass_ = assembler.massMatrix();
     cross_ = assembler.crossMatrix();
@@ -218,7 +237,7 @@ void MortarMapping::finish(const MortarAssembler& assembler, const MortarOptions
     const Eigen::VectorXd ones = Eigen::VectorXd::Ones(to.nValues());
     const Eigen::VectorXd mapped = apply(Eigen::VectorXd::Ones(from.nValues()));
     report_.rowSumError = (mass_ * (mapped - ones)).norm() / (mass_ * ones).norm();
-    const Points forces = mass_ * testForces(to.nValues());
+    const Points forces = mass_ * probeForces(to.nValues());
     measureConservation(*this, forces, from.coordinates(), to.coordinates(), report_);
     report_.bytes = bytesOf(mass_) + bytesOf(cross_);
 }

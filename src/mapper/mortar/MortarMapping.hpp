@@ -44,13 +44,13 @@ class MortarMapping : public Mapping {
     MortarMapping(const SurfaceMesh& from, const SurfaceMesh& to,
                   const MortarOptions& options = {});
 
-    /// From a mesh onto trimmed patches, integrated over the patches. Faces and
+    /// Maps from a mesh onto trimmed patches, integrated over the patches. Faces and
     /// parts of patches without a partner are left out.
     /// @throws InputError for the dual basis, which splines on patches do not have
     MortarMapping(const SurfaceMesh& from, const SurfaceInterface& to,
                   const MortarOptions& options = {});
 
-    /// From trimmed patches onto a mesh.
+    /// Maps from trimmed patches onto a mesh.
     MortarMapping(const SurfaceInterface& from, const SurfaceMesh& to,
                   const MortarOptions& options = {});
 
@@ -69,22 +69,22 @@ class MortarMapping : public Mapping {
     Eigen::MatrixXd applyTransposed(const Eigen::MatrixXd& forces) const override;
 
     /// M_DD, nTo x nTo (diagonal for the dual basis).
-    const SparseMatrix& massMatrix() const { return mass_; }
+    const RowSparseMatrix& massMatrix() const { return mass_; }
     /// M_DO, nTo x nFrom.
-    const SparseMatrix& crossMatrix() const { return cross_; }
+    const RowSparseMatrix& crossMatrix() const { return cross_; }
 
   private:
-    /// What all constructors do around their way to integrate.
+    /// Common part of the constructors, around their way to integrate.
     /// @param integrate  (MortarAssembler&, GapStatistics&)
     template <class From, class To, class Integrate>
     void build(const From& from, const To& to, const MortarOptions& options,
                MortarAssembler assembler, Integrate integrate,
-               const SparseMatrix& gradientTerm = {});
+               const RowSparseMatrix& gradientTerm = {});
     void finish(const MortarAssembler& assembler, const MortarOptions& options,
                 const Discretisation& from, const Discretisation& to,
-                const SparseMatrix& gradientTerm);
+                const RowSparseMatrix& gradientTerm);
 
-    SparseMatrix mass_, cross_;
+    RowSparseMatrix mass_, cross_;
     std::optional<MassInverse> inverse_;
 };
 

@@ -27,7 +27,7 @@ NearestElementMapping::NearestElementMapping(const Discretisation& from, const P
 
     report_.rowSumError =
         (apply(Eigen::VectorXd::Ones(from.nValues())).array() - 1).abs().maxCoeff();
-    measureConservation(*this, testForces(to.rows()), from.coordinates(), to, report_);
+    measureConservation(*this, probeForces(to.rows()), from.coordinates(), to, report_);
     report_.bytes = bytesOf(matrix_);
     report_.seconds = watch.seconds();
 }

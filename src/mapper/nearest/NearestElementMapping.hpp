@@ -3,7 +3,7 @@
 
 #include "mapper/GapStatistics.hpp"
 #include "mapper/Mapping.hpp"
-#include "mapper/SparseMatrix.hpp"
+#include "mapper/RowSparseMatrix.hpp"
 
 namespace tokay::mapper {
 
@@ -20,13 +20,13 @@ class NearestElementMapping : public Mapping {
                           const GapLimit& gapLimit = {});
 
     /// nTo x nValues.
-    const SparseMatrix& matrix() const { return matrix_; }
+    const RowSparseMatrix& matrix() const { return matrix_; }
 
     Eigen::MatrixXd apply(const Eigen::MatrixXd& values) const override;
     Eigen::MatrixXd applyTransposed(const Eigen::MatrixXd& forces) const override;
 
   private:
-    SparseMatrix matrix_;
+    RowSparseMatrix matrix_;
 };
 
 } // namespace tokay::mapper

@@ -17,8 +17,8 @@ void checkPlane(const SplineInterface& axis) {
     for (const SplinePiece& piece : axis.pieces()) {
         const auto z = piece.curve.controlPoints().col(2);
         if (z.maxCoeff() - z.minCoeff() > 1e-9 * axis.size()) {
-            throw InputError(fmt::format("The beam axis {} does not lie in a plane z = const: its "
-                                         "control points reach from z = {:.6g} to {:.6g}.",
+            throw InputError(fmt::format("the beam axis {} does not lie in a plane z = const: its "
+                                         "control points reach from z = {:.6g} to {:.6g}",
                                          piece.name, z.minCoeff(), z.maxCoeff()));
         }
     }
@@ -76,8 +76,8 @@ void OffsetMapping::attach(const Point& point, std::vector<int> controlPoints, E
     Attachment attachment{std::move(controlPoints), std::move(N), 0, Eigen::Vector2d::Zero()};
     const Frame frame = frameOf(attachment, controlPoints_);
     if (!(frame.area > 0)) {
-        throw InputError(fmt::format("The point at ({:.6g}, {:.6g}, {:.6g}) projects onto a place "
-                                     "where the surface has no normal (a pole).",
+        throw InputError(fmt::format("the point at ({:.6g}, {:.6g}, {:.6g}) projects onto a place "
+                                     "where the surface has no normal (a pole)",
                                      point[0], point[1], point[2]));
     }
     const Point offset = point - frame.r;
@@ -98,7 +98,7 @@ void OffsetMapping::finish(const GapStatistics& gaps, const Points& to) {
     Points translation(controlPoints_.rows(), 3);
     translation.rowwise() = Eigen::RowVector3d(1, 1, 1);
     report_.rowSumError = (apply(translation).array() - 1).abs().maxCoeff();
-    Points forces = testForces(to.rows());
+    Points forces = probeForces(to.rows());
     if (isBeam_) {
         forces.col(2).setZero();
     }

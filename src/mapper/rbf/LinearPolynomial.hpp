@@ -24,7 +24,7 @@ class LinearPolynomial {
 
   private:
     Point centre_;
-    /// One row an axis, over the extent of the cloud.
+    /// Axes, one per row, over the extent of the cloud.
     Eigen::MatrixX3d axes_;
 };
 

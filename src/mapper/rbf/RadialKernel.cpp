@@ -20,8 +20,8 @@ RadialKernel radialKernelFromName(const std::string& name) {
             return static_cast<RadialKernel>(i);
         }
     }
-    throw InputError(fmt::format("There is no radial basis function \"{}\": choose thinPlate, "
-                                 "compactC2 or compactC6.",
+    throw InputError(fmt::format("there is no radial basis function \"{}\": choose thinPlate, "
+                                 "compactC2 or compactC6",
                                  name));
 }
 

@@ -2,7 +2,7 @@
 #include "mapper/rbf/RbfInterpolant.hpp"
 
 #include "common/errors.hpp"
-#include "mapper/SparseMatrix.hpp"
+#include "mapper/RowSparseMatrix.hpp"
 #include "mapper/rbf/LinearPolynomial.hpp"
 
 #include <Eigen/CholmodSupport>
@@ -59,10 +59,10 @@ class Sparse : public RbfInterpolant {
         factorised_.cholmod().print = 0;
         factorised_.compute(matrix);
         if (factorised_.info() != Eigen::Success) {
-            throw SolverError(fmt::format("The matrix of the radial basis functions of radius "
-                                          "{:.4g} m could not be factorised: choose a smaller "
-                                          "radius.",
-                                          radius));
+            throw SolverError(
+                fmt::format("the matrix of the radial basis functions of radius {:.4g} m "
+                            "could not be factorised: choose a smaller radius",
+                            radius));
         }
         const LinearPolynomial polynomial(from);
         polynomials_ = polynomial.values(from);
@@ -73,21 +73,22 @@ class Sparse : public RbfInterpolant {
 
     Eigen::MatrixXd apply(const Eigen::MatrixXd& values) const override {
         const Eigen::MatrixXd b = schur_.solve(solvedPolynomials_.transpose() * values);
-        const Eigen::MatrixXd rest = values - polynomials_ * b;
-        return kernelsThere_ * factorised_.solve(rest) + polynomialsThere_ * b;
+        const Eigen::MatrixXd remainder = values - polynomials_ * b;
+        return kernelsThere_ * factorised_.solve(remainder) + polynomialsThere_ * b;
     }
     Eigen::MatrixXd applyTransposed(const Eigen::MatrixXd& forces) const override {
         const Eigen::MatrixXd spread = kernelsThere_.transpose() * forces;
         const Eigen::MatrixXd c = factorised_.solve(spread);
-        const Eigen::MatrixXd rest =
+        const Eigen::MatrixXd remainder =
             polynomialsThere_.transpose() * forces - polynomials_.transpose() * c;
-        return c + solvedPolynomials_ * schur_.solve(rest);
+        return c + solvedPolynomials_ * schur_.solve(remainder);
     }
     double bytes() const override { return bytesOf(kernelsThere_); }
 
   private:
-    static SparseMatrix kernels(const Points& at, const Points& centres,
-                                const geometry::BoxTree& tree, RadialKernel kernel, double radius) {
+    static RowSparseMatrix kernels(const Points& at, const Points& centres,
+                                   const geometry::BoxTree& tree, RadialKernel kernel,
+                                   double radius) {
         std::vector<Eigen::Triplet<double>> entries;
         for (int i = 0; i < at.rows(); ++i) {
             const Point point = at.row(i);
@@ -99,12 +100,12 @@ class Sparse : public RbfInterpolant {
                 }
             }
         }
-        SparseMatrix matrix(at.rows(), centres.rows());
+        RowSparseMatrix matrix(at.rows(), centres.rows());
         matrix.setFromTriplets(entries.begin(), entries.end());
         return matrix;
     }
 
-    SparseMatrix kernelsThere_;
+    RowSparseMatrix kernelsThere_;
     Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>> factorised_;
     Eigen::MatrixXd polynomials_, polynomialsThere_, solvedPolynomials_;
     Eigen::PartialPivLU<Eigen::MatrixXd> schur_;

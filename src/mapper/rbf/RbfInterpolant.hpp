@@ -21,12 +21,12 @@ class RbfInterpolant {
     virtual double bytes() const = 0;
 };
 
-/// One dense system, for any kernel.
+/// Interpolant by one dense system, for any kernel.
 /// @param scale  of the kernel's argument [m]
 std::unique_ptr<RbfInterpolant> denseInterpolant(const Points& from, const Points& to,
                                                  RadialKernel kernel, double scale);
 
-/// One sparse system, for compact kernels.
+/// Interpolant by one sparse system, for compact kernels.
 /// @param tree  over the source's points
 /// @throws SolverError if the kernels' matrix is not positive definite to rounding
 std::unique_ptr<RbfInterpolant> sparseInterpolant(const Points& from, const Points& to,

@@ -35,10 +35,11 @@ void refuseCoincidingPoints(const Points& points, const geometry::BoxTree& tree,
     }
     for (int i = 0; i < points.rows(); ++i) {
         if (distanceToNeighbour(points, tree, i, 1) <= 1e-12 * size) {
-            throw InputError(fmt::format("Source point {} at ({:.6g}, {:.6g}, {:.6g}) coincides "
-                                         "with another one: radial basis functions need distinct "
-                                         "points; merge them.",
-                                         i, points(i, 0), points(i, 1), points(i, 2)));
+            throw InputError(
+                fmt::format("source point {} at ({:.6g}, {:.6g}, {:.6g}) coincides with "
+                            "another one: radial basis functions need distinct points; "
+                            "merge them",
+                            i, points(i, 0), points(i, 1), points(i, 2)));
         }
     }
 }
@@ -53,24 +54,25 @@ double automaticRadius(const Points& points, const geometry::BoxTree& tree, int 
     return radius;
 }
 
-/// Of the thin plate's values at the destination.
+/// Memory of the thin plate's values at the destination.
 double denseBytes(Eigen::Index nFrom, Eigen::Index nTo) {
     return sizeof(double) * static_cast<double>(nFrom) * static_cast<double>(nTo);
 }
 
 void refuseTooManyDensePoints(Eigen::Index nFrom, Eigen::Index nTo) {
     if (nFrom > RbfMapping::maxDensePoints) {
-        throw InputError(fmt::format("The thin plate kernel needs a dense matrix of {0} x {0} "
-                                     "points; the limit is {1}. Choose the partition of unity, "
-                                     "or compactC2 or compactC6.",
+        throw InputError(fmt::format("the thin plate kernel needs a dense matrix of {0} x {0} "
+                                     "points; the limit is {1}; choose the partition of unity, or "
+                                     "compactC2 or compactC6",
                                      nFrom, RbfMapping::maxDensePoints));
     }
     if (denseBytes(nFrom, nTo) > RbfMapping::maxDenseBytes) {
-        throw InputError(fmt::format(
-            "The thin plate kernel solved globally needs a dense matrix of {} destination x {} "
-            "source points, {:.3g} GB; the limit is {:.3g} GB. Choose the partition of unity, or "
-            "compactC2 or compactC6.",
-            nTo, nFrom, denseBytes(nFrom, nTo) / 1e9, RbfMapping::maxDenseBytes / 1e9));
+        throw InputError(fmt::format("the thin plate kernel solved globally needs a dense matrix "
+                                     "of {} destination x {} source points, {:.3g} GB; the limit "
+                                     "is {:.3g} GB; choose the partition of unity, or compactC2 "
+                                     "or compactC6",
+                                     nTo, nFrom, denseBytes(nFrom, nTo) / 1e9,
+                                     RbfMapping::maxDenseBytes / 1e9));
     }
 }
 
@@ -120,7 +122,7 @@ RbfMapping::RbfMapping(const Points& from, const Points& to, const RbfOptions& o
         interpolant_ = sparseInterpolant(from, to, tree, options.kernel, radius_);
     }
     report_.rowSumError = (apply(Eigen::VectorXd::Ones(from.rows())).array() - 1).abs().maxCoeff();
-    measureConservation(*this, testForces(to.rows()), from, to, report_);
+    measureConservation(*this, probeForces(to.rows()), from, to, report_);
     report_.bytes = interpolant_->bytes();
     report_.seconds = watch.seconds();
 }

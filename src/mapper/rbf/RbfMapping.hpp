@@ -10,7 +10,7 @@
 
 namespace tokay::mapper {
 
-/// How the interpolation is solved.
+/// Solution method of the interpolation.
 enum class RbfSolution {
     automatic,       ///< see chosenSolution
     global,          ///< one system: dense, or with ever smaller kernels
@@ -22,7 +22,7 @@ struct RbfOptions {
     RbfSolution solution = RbfSolution::automatic;
     /// Source points of a ball of the partition of unity.
     int nPerBall = 60;
-    /// Of the compact kernels, solved globally [m]; 0: so large that every point has about
+    /// Radius of the compact kernels, solved globally [m]; 0: so large that every point has about
     /// nNeighbours others within it. That keeps the matrix sparse, but the error
     /// then stops falling once the spacing is fine: the kernels shrink with it.
     double radius = 0;
@@ -32,8 +32,8 @@ struct RbfOptions {
     GapLimit gapLimit{0.1, true};
 };
 
-/// What automatic comes to. The thin plate is solved globally up to 300 source points,
-/// within the bound of memory: with more of them the partition of unity is at least as
+/// Solution method that `automatic` selects. The thin plate is solved globally up to 300 source
+/// points, within the bound of memory: with more of them the partition of unity is at least as
 /// accurate and takes less memory, whatever the number of destination points
 /// (measured by benchmarks/mapping/run). Compact kernels are solved globally only if
 /// their radius or number of neighbours is given: at the automatic one the partition
@@ -57,7 +57,7 @@ class RbfMapping : public Mapping {
     Eigen::MatrixXd apply(const Eigen::MatrixXd& values) const override;
     Eigen::MatrixXd applyTransposed(const Eigen::MatrixXd& forces) const override;
 
-    /// Of the compact kernel [m]; 0 for the thin plate and the partition of unity.
+    /// Radius of the compact kernel [m]; 0 for the thin plate and the partition of unity.
     double radius() const { return radius_; }
 
   private:

@@ -62,7 +62,7 @@ double reachOf(const Points& points, const geometry::BoxTree& tree, const Point&
     return distance;
 }
 
-/// A ball around a cell that holds nPerBall points, and the cell with some margin.
+/// Ball around a cell that contains nPerBall points, and the cell with some margin.
 Ball ballAround(const std::vector<int>& cell, const Points& points, const PrincipalFrame& frame,
                 const geometry::BoxTree& tree, int nPerBall) {
     const Point centre = frame.at(boxAround(frame.coordinates(), cell).centre());
@@ -96,10 +96,10 @@ class Partition : public RbfInterpolant {
     }
 
     Eigen::MatrixXd apply(const Eigen::MatrixXd& values) const override {
-        const Eigen::MatrixXd fitted = fit_ * values, rest = values - polynomials_ * fitted;
+        const Eigen::MatrixXd fitted = fit_ * values, remainder = values - polynomials_ * fitted;
         Eigen::MatrixXd mapped = polynomialsThere_ * fitted;
         for (const Block& block : blocks_) {
-            mapped(block.to, Eigen::all) += block.matrix * rest(block.from, Eigen::all);
+            mapped(block.to, Eigen::all) += block.matrix * remainder(block.from, Eigen::all);
         }
         return mapped;
     }
@@ -109,9 +109,9 @@ class Partition : public RbfInterpolant {
             spread(block.from, Eigen::all) +=
                 block.matrix.transpose() * forces(block.to, Eigen::all);
         }
-        const Eigen::MatrixXd rest =
+        const Eigen::MatrixXd remainder =
             polynomialsThere_.transpose() * forces - polynomials_.transpose() * spread;
-        return spread + fit_.transpose() * rest;
+        return spread + fit_.transpose() * remainder;
     }
     double bytes() const override {
         double numbers = static_cast<double>(2 * polynomials_.size() + polynomialsThere_.size());
@@ -143,7 +143,7 @@ class Partition : public RbfInterpolant {
     }
 
     /// Points of the destination in each ball; one in none goes to a ball that
-    /// holds the source point nearest to it.
+    /// contains the source point nearest to it.
     static void assign(const Points& from, const Points& to, const geometry::BoxTree& tree,
                        std::vector<Ball>& balls) {
         const geometry::BoxTree treeThere(pointBoxes(to));

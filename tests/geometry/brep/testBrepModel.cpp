@@ -81,14 +81,14 @@ TEST(BrepModel, namesAreFoundAndListed) {
 TEST(BrepModel, refusesContradictions) {
     const BrepFace face{TrimmedPatch(rectangle(Point::Zero(), 1, 1), "a")};
     expectInputError([] { BrepModel({}); }, {"no face"});
-    expectInputError([&] { BrepModel({face, face}); }, {"Two faces", "\"a\""});
-    expectInputError([&] { BrepModel({face}, {{"e", {{1, 0}}}}); }, {"Edge \"e\"", "face 1"});
+    expectInputError([&] { BrepModel({face, face}); }, {"two faces", "\"a\""});
+    expectInputError([&] { BrepModel({face}, {{"e", {{1, 0}}}}); }, {"edge \"e\"", "face 1"});
     expectInputError([&] { BrepModel({face}, {{"e", {{0, 4}}}}); }, {"curve 4", "4"});
     expectInputError(
         [&] {
             BrepModel({face}, {{"e", {{0, 0}}}, {"e", {{0, 1}}}});
         },
-        {"Two edges", "\"e\""});
+        {"two edges", "\"e\""});
 }
 
 TEST(BrepModel, refinementChangesTheBasisOfEveryFaceOnly) {

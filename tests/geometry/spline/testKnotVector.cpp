@@ -91,10 +91,10 @@ TEST(KnotVector, uniformHasEqualSpans) {
 TEST(KnotVector, refusesWhatIsNotAnOpenKnotVectorAndSaysWhy) {
     expectInputError([] { KnotVector(0, {0, 1}); }, {"degree", "0"});
     expectInputError([] { KnotVector(2, {0, 0, 0, 1, 1}); }, {"6", "5"});
-    expectInputError([] { KnotVector(1, {0, 0, 0.6, 0.5, 1, 1}); }, {"Knot 3", "0.5", "0.6"});
+    expectInputError([] { KnotVector(1, {0, 0, 0.6, 0.5, 1, 1}); }, {"knot 3", "0.5", "0.6"});
     expectInputError([] { KnotVector(2, {0, 0, 0.5, 0.5, 1, 1, 1}); }, {"end knot 0", "2", "3"});
     expectInputError([] { KnotVector(1, {0, 0, 0.5, 0.5, 1, 1}); }, {"inner knot 0.5", "2"});
-    expectInputError([] { KnotVector(1, {0, 0, NAN, 1, 1}); }, {"Knot 2", "finite"});
+    expectInputError([] { KnotVector(1, {0, 0, NAN, 1, 1}); }, {"knot 2", "finite"});
 }
 
 TEST(KnotVector, refusesADegreeBeyondTheLimit) {

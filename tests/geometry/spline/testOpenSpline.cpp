@@ -71,7 +71,7 @@ TEST(OpenSpline, leavesOpenSplinesAsTheyAreToTheBit) {
 TEST(OpenSpline, refusesWhatFitsNeitherWay) {
     const Eigen::MatrixXd rows = Eigen::MatrixXd::Ones(3, 1);
     expectInputError([&] { openSpline(2, {0, 0, 0, 1, 1}, rows); }, {"5 knots", "6", "(or 4"});
-    expectInputError([&] { openSpline(2, {0, 0, 0, 1, 0.5, 1}, rows); }, {"Knot 4", "0.5"});
+    expectInputError([&] { openSpline(2, {0, 0, 0, 1, 0.5, 1}, rows); }, {"knot 4", "0.5"});
     expectInputError([&] { openSpline(2, {0, 0, 1, 1, 2, 2}, rows); }, {"no range"});
     expectInputError([&] { openSpline(0, {0, 1}, rows); }, {"degree is 0"});
 }

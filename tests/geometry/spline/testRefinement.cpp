@@ -55,8 +55,8 @@ TEST(Refinement, knotsInsertedAndRemovedLeaveTheSameControlPoints) {
 TEST(Refinement, aKnotThatTheCurveNeedsIsNotRemoved) {
     expectInputError([] { removeKnots(curveWithCorner(), {0.5}); }, {"not smooth enough"});
     expectInputError([] { removeKnots(sampleCurve(), {0.123}); },
-                     {"The knot 0.123 cannot be removed"});
-    expectInputError([] { removeKnots(sampleCurve(), {0}); }, {"The knot 0 cannot be removed"});
+                     {"the knot 0.123 cannot be removed"});
+    expectInputError([] { removeKnots(sampleCurve(), {0}); }, {"the knot 0 cannot be removed"});
 }
 
 TEST(Refinement, degreeElevationLeavesARationalCurveUnchanged) {

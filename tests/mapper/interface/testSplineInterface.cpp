@@ -50,7 +50,7 @@ TEST(SplineInterface, refusesPiecesThatDoNotFitTheStructure) {
         [&] {
             SplineInterface({{line, {0, 1}, "first"}, {other, {1, 2}, "second"}}, 4);
         },
-        {"Control point 1", "second", "0.5"});
+        {"control point 1", "second", "0.5"});
 }
 
 } // namespace tokay::mapper

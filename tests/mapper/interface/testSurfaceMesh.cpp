@@ -29,7 +29,7 @@ TEST(SurfaceMesh, nearestElementReproducesLinearFieldsAndConservesForces) {
         EXPECT_LT((mapped - linearField(to)).cwiseAbs().maxCoeff(), 1e-14 * 5);
         EXPECT_EQ(mapping.report().nUnmatched, 0);
         EXPECT_LT(mapping.report().rowSumError, 1e-14);
-        expectForceAndMomentConserved(mapping, testForces(to.rows()), mesh.coordinates(), to);
+        expectForceAndMomentConserved(mapping, probeForces(to.rows()), mesh.coordinates(), to);
         expectTransposesEqual(mapping, mesh.nValues(), static_cast<int>(to.rows()));
     }
 }
@@ -57,10 +57,10 @@ TEST(SurfaceMesh, refusesBrokenFacesByNumber) {
     const auto mesh = [&](const SurfaceMesh::Faces& faces) {
         SurfaceMesh(vertices, faces, ValuesAt::vertices);
     };
-    expectInputError([&] { mesh({{0, 1, 3}, {0, 1}}); }, {"Face 1", "2 vertices"});
-    expectInputError([&] { mesh({{0, 1, 9}}); }, {"Face 0", "vertex 9", "5"});
-    expectInputError([&] { mesh({{0, 1, 3, 1}}); }, {"Face 0", "vertex 1 twice"});
-    expectInputError([&] { mesh({{0, 1, 3}, {0, 1, 2}}); }, {"Face 1", "no area"});
+    expectInputError([&] { mesh({{0, 1, 3}, {0, 1}}); }, {"face 1", "2 vertices"});
+    expectInputError([&] { mesh({{0, 1, 9}}); }, {"face 0", "vertex 9", "5"});
+    expectInputError([&] { mesh({{0, 1, 3, 1}}); }, {"face 0", "vertex 1 twice"});
+    expectInputError([&] { mesh({{0, 1, 3}, {0, 1, 2}}); }, {"face 1", "no area"});
     expectInputError([&] { mesh({}); }, {"no face"});
     vertices(3, 1) = INFINITY;
     expectInputError([&] { mesh({{0, 1, 3}}); }, {"point 3", "inf"});
@@ -73,7 +73,7 @@ TEST(SurfaceMesh, duplicatePointsMakeAFaceWithoutAreaAndAreRefused) {
         [&] {
             SurfaceMesh(vertices, {{0, 1, 3}, {0, 1, 2, 3}}, ValuesAt::vertices);
         },
-        {"Face 1", "no area", "vertices 1 and 2"});
+        {"face 1", "no area", "vertices 1 and 2"});
 }
 
 TEST(PointCloud, mapsTheNearestValueAndConservesTheSum) {

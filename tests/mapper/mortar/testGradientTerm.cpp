@@ -131,7 +131,7 @@ TEST(GradientTerm, takesLinearFieldsOnTheEdgeAndConservesForceAndMoment) {
         // A slanted edge has traces of any smallness: those below SPQR's tolerance of
         // 20 (rows + columns) roundings, here 1e-12, count as none.
         EXPECT_LT(mapping.report().rowSumError, 1e-11);
-        const Points forces = mapping.massMatrix() * testForces(to.nValues());
+        const Points forces = mapping.massMatrix() * probeForces(to.nValues());
         expectForceAndMomentConserved(mapping, forces, from.coordinates(), to.coordinates());
         if (end == edge.start) {
             expectTransposesEqual(mapping, from.nValues(), to.nValues());

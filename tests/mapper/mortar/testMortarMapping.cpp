@@ -40,7 +40,7 @@ void expectPatchTest(const CurveInterface& from, const CurveInterface& to,
     EXPECT_LT(fieldError(mapping, mapped, linearField(to.coordinates())), 1e-12);
     EXPECT_LT(mapping.report().rowSumError, 1e-12);
     EXPECT_NEAR(mapping.report().coverage, 1, 1e-12);
-    const Points forces = mapping.massMatrix() * testForces(to.nValues());
+    const Points forces = mapping.massMatrix() * probeForces(to.nValues());
     expectForceAndMomentConserved(mapping, forces, from.coordinates(), to.coordinates());
     expectTransposesEqual(mapping, from.nValues(), to.nValues());
 }
@@ -97,7 +97,7 @@ TEST(MortarMapping, passesThePatchTestWithTrimmedEdgesAnywhere) {
 TEST(MortarMapping, reproducesWhatTheDestinationHoldsOfHigherDegree) {
     // A quadratic field from a quadratic to a cubic spline on other knots.
     const SplineInterface from = verticalSpline(2, 5), to = verticalSpline(3, 4);
-    const Points exact = testForces(from.nValues());
+    const Points exact = probeForces(from.nValues());
     const Points mapped = MortarMapping(from, to).apply(exact);
     const Points back = MortarMapping(to, from).apply(mapped);
     // from's C1 functions are not in to's space, but one quadratic is in both.
@@ -150,7 +150,7 @@ TEST(MortarMapping, aTrimLineInsideAnElementHasTwelveFunctionsAndRankFour) {
 TEST(MortarMapping, theMinimumNormSolutionIsThePseudoInverses) {
     const CurveInterface from = verticalMesh(3), to = trimmedEdge(0.3);
     const MortarMapping mapping(from, to, minimumNorm());
-    const Points values = testForces(from.nValues());
+    const Points values = probeForces(from.nValues());
     const Eigen::MatrixXd mass = mapping.massMatrix();
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(mass);
     Eigen::VectorXd inverses = Eigen::VectorXd::Zero(16);

@@ -123,7 +123,7 @@ TEST(SurfaceInterface, nearestElementEvaluatesTheSplinesExactly) {
         const NearestElementMapping mapping(splines, to);
         EXPECT_LT((mapping.apply(linearField(splines.coordinates())) - linearField(to)).norm(),
                   1e-12);
-        expectForceAndMomentConserved(mapping, testForces(to.rows()), splines.coordinates(), to);
+        expectForceAndMomentConserved(mapping, probeForces(to.rows()), splines.coordinates(), to);
     }
 }
 

@@ -23,7 +23,7 @@ void expectPatchTest(const SurfaceMesh& from, const SurfaceMesh& to, MortarBasis
     EXPECT_LT(mapping.report().rowSumError, 1e-12);
     EXPECT_NEAR(mapping.report().coverage, 1, 1e-9);
     EXPECT_EQ(mapping.report().nUncovered, 0);
-    expectForceAndMomentConserved(mapping, mapping.massMatrix() * testForces(to.nValues()),
+    expectForceAndMomentConserved(mapping, mapping.massMatrix() * probeForces(to.nValues()),
                                   from.coordinates(), to.coordinates());
     expectTransposesEqual(mapping, from.nValues(), to.nValues());
 }
@@ -111,7 +111,7 @@ TEST(SurfaceMortar, faceValuesOfALinearFieldAreItsMeansOverTheFaces) {
 }
 
 TEST(SurfaceMortar, scalePositionAndRotationDoNotMatter) {
-    const Points values = testForces(36);
+    const Points values = probeForces(36);
     const Points reference = MortarMapping(placed(5, 0, 1, 0), placed(4, 2, 1, 0)).apply(values);
     for (const double scale : {1e-6, 1.0, 1e6}) {
         for (const double offset : {0.0, 1e6}) {
@@ -143,7 +143,7 @@ TEST(SurfaceMortar, aWideGapLimitDoesNotChangeTheResult) {
         const MortarMapping mapping(from, to, options);
         EXPECT_EQ(mapping.report().nUncovered, 0);
         EXPECT_GT(mapping.report().coverage, 0.999);
-        return Points(mapping.apply(testForces(from.nValues())));
+        return Points(mapping.apply(probeForces(from.nValues())));
     };
     const std::pair<SurfaceMesh, SurfaceMesh> pairs[] = {
         {placed(9, 0, 1, 0), placed(7, 2, 1, 0)},
@@ -175,7 +175,7 @@ TEST(SurfaceMortar, aSourceHighAboveTheDestinationIsFoundAlongItsNormal) {
     const MortarMapping mapping(from, above, options), reference(from, flat, options);
     EXPECT_NEAR(mapping.report().coverage, 1, 1e-12);
     EXPECT_NEAR(mapping.report().largestGap, height, 1e-12);
-    const Points values = testForces(from.nValues());
+    const Points values = probeForces(from.nValues());
     EXPECT_LT((mapping.apply(values) - reference.apply(values)).cwiseAbs().maxCoeff(), 1e-12);
 }
 

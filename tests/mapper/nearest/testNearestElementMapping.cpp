@@ -12,7 +12,7 @@ namespace tokay::mapper {
 
 namespace {
 
-Points testForces(int n) {
+Points unevenForces(int n) {
     Points forces(n, 3);
     for (int i = 0; i < n; ++i) {
         forces.row(i) << std::sin(1.3 * i) + 0.4, std::cos(0.7 * i), 0;
@@ -45,7 +45,7 @@ TEST(NearestElementMapping, reproducesRigidMotionsExactly) {
 
 TEST(NearestElementMapping, conservesForceAndMoment) {
     const SplineInterface interface = flapInterface();
-    const Points to = flapPoints(37), forces = testForces(111);
+    const Points to = flapPoints(37), forces = unevenForces(111);
     const NearestElementMapping mapping(interface, to);
     const Points mapped = mapping.applyTransposed(forces);
     const double total = forces.rowwise().norm().sum();
@@ -60,7 +60,7 @@ TEST(NearestElementMapping, isTheTransposeOfItsConservativePartner) {
         to.row(i) << std::cos(i * 0.0392), std::sin(i * 0.0392), 0;
     }
     const NearestElementMapping mapping(interface, to);
-    const Points forces = testForces(41);
+    const Points forces = unevenForces(41);
     const Points values = interface.coordinates().array().sin();
     const double work = mapping.apply(values).cwiseProduct(forces).sum();
     EXPECT_NEAR(work, values.cwiseProduct(mapping.applyTransposed(forces)).sum(), 1e-14 * 41);

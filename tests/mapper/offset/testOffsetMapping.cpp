@@ -73,7 +73,7 @@ Points deformation(const Points& x, bool isPlane) {
 }
 
 Points forcesOn(Eigen::Index n, bool isPlane) {
-    Points forces = testForces(n);
+    Points forces = probeForces(n);
     if (isPlane) {
         forces.col(2).setZero();
     }
@@ -147,8 +147,8 @@ TEST(OffsetMapping, virtualWorkIsConservedInAnyState) {
     for (const Scene& scene : scenes()) {
         for (const double size : {0.0, 1.0}) {
             const Points state = size * deformation(scene.controlPoints, scene.isPlane);
-            const Points variation = testForces(state.rows());
-            const Points forces = testForces(scene.points.rows()).array().cos();
+            const Points variation = probeForces(state.rows());
+            const Points forces = probeForces(scene.points.rows()).array().cos();
             const Points moved = scene.mapping.variation(state, variation);
             const Points mapped = scene.mapping.forces(state, forces);
             EXPECT_NEAR(moved.cwiseProduct(forces).sum(), variation.cwiseProduct(mapped).sum(),

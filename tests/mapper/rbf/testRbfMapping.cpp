@@ -51,12 +51,12 @@ TEST(RbfMapping, takesLinearFieldsExactlyAndConservesForceAndMoment) {
             const Points expected = linearField(to);
             // The kernel matrix's condition, 1e4 to 1e6, enlarges rounding.
             EXPECT_LT((mapping.apply(linearField(from)) - expected).cwiseAbs().maxCoeff(), 1e-10);
-            const Points forces = testForces(to.rows());
+            const Points forces = probeForces(to.rows());
             const Points mapped = mapping.applyTransposed(forces);
             EXPECT_LT((mapped.colwise().sum() - forces.colwise().sum()).norm(),
                       1e-10 * forces.norm());
             EXPECT_LT(mapping.report().momentError, 1e-10);
-            const Points values = testForces(from.rows()).array().cos();
+            const Points values = probeForces(from.rows()).array().cos();
             EXPECT_NEAR(mapping.apply(values).cwiseProduct(forces).sum(),
                         values.cwiseProduct(mapped).sum(), 1e-11 * values.norm() * mapped.norm());
         }
@@ -64,7 +64,7 @@ TEST(RbfMapping, takesLinearFieldsExactlyAndConservesForceAndMoment) {
 }
 
 TEST(RbfMapping, passesThroughTheValuesOfTheSource) {
-    const Points from = bent(cloud(9, 7, 0)), values = testForces(from.rows());
+    const Points from = bent(cloud(9, 7, 0)), values = probeForces(from.rows());
     for (const RadialKernel kernel : allKernels) {
         EXPECT_LT((RbfMapping(from, from, with(kernel)).apply(values) - values).norm(), 1e-9);
     }
@@ -93,7 +93,7 @@ TEST(RbfMapping, errorsOfASmoothFieldFallWithTheSpacingAtAFixedRadius) {
 
 TEST(RbfMapping, scalePositionAndRotationDoNotMatter) {
     const Points from = bent(cloud(9, 7, 0)), to = bent(cloud(6, 8, 2));
-    const Points values = testForces(from.rows());
+    const Points values = probeForces(from.rows());
     const Eigen::Matrix3d rotation =
         Eigen::AngleAxisd(1.1, Point(1, 2, -1).normalized()).toRotationMatrix();
     for (const RadialKernel kernel : allKernels) {
@@ -111,7 +111,7 @@ TEST(RbfMapping, scalePositionAndRotationDoNotMatter) {
 
 TEST(RbfMapping, rotationDoesNotMatterForThePartitionOfUnityOfALargeCloud) {
     const Points from = bent(cloud(40, 20, 0)), to = bent(cloud(31, 18, 2));
-    const Points values = testForces(from.rows());
+    const Points values = probeForces(from.rows());
     const Eigen::Matrix3d rotation =
         Eigen::AngleAxisd(0.7, Point(-1, 2, 1).normalized()).toRotationMatrix();
     for (const RadialKernel kernel : allKernels) {
@@ -152,7 +152,7 @@ TEST(RbfMapping, thePartitionOfUnityTakesLinearFieldsAndConservesForceAndMoment)
             EXPECT_LT((mapping.apply(linearField(from)) - linearField(to)).cwiseAbs().maxCoeff(),
                       1e-12);
             EXPECT_LT(mapping.report().rowSumError, 1e-12);
-            expectForceAndMomentConserved(mapping, testForces(to.rows()), from, to);
+            expectForceAndMomentConserved(mapping, probeForces(to.rows()), from, to);
             expectTransposesEqual(mapping, static_cast<int>(from.rows()),
                                   static_cast<int>(to.rows()));
         }

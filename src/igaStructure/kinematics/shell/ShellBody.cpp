@@ -19,8 +19,6 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr std::uint8_t vtkTriangle = 5;
-
 // The part of a patch inside its loops, as fine as cells of full elements.
 VtuMesh triangleMesh(const geometry::TrimmedPatch& patch, int number, int subdivision) {
     const geometry::Box box = geometry::Box::around(patch.basis().controlPoints());
@@ -30,7 +28,7 @@ VtuMesh triangleMesh(const geometry::TrimmedPatch& patch, int number, int subdiv
         geometry::patchTriangles(patch, box.diagonal() / (8.0 * nCells * nCells));
     VtuMesh mesh;
     mesh.cellSize = 3;
-    mesh.cellType = vtkTriangle;
+    mesh.cellType = VtkCell::triangle;
     for (const geometry::Parameters& at : triangles.parameters) {
         mesh.points.push_back({number, at[0], at[1], 0});
     }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/kinematics/shell/element/CovariantPoint.hpp"
 
-#include "geometry/spline/spanBasis.hpp"
 #include "igaStructure/kinematics/shell/element/shellStrain.hpp"
 
 #include <Eigen/Geometry>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tokayMap/ByteStream.hpp"
+#include "tokayMap/files/ByteStream.hpp"
 
 #include "common/errors.hpp"
 
@@ -33,20 +33,20 @@ bool isSpace(char c) {
 
 std::string ByteStream::take(std::size_t nBytes) {
     const std::size_t left = text_.size() - at_;
-    const std::size_t most = encoding_ == ByteEncoding::raw ? left : rest_.size() + left / 4 * 3;
+    const std::size_t most = encoding_ == ByteEncoding::raw ? left : decoded_.size() + left / 4 * 3;
     if (nBytes > most) {
         throw InputError(
-            fmt::format("{} bytes are announced, {} are left: the file is cut off.", nBytes, most));
+            fmt::format("{} bytes are announced, {} are left: the file is cut off", nBytes, most));
     }
     if (encoding_ == ByteEncoding::raw) {
         at_ += nBytes;
         return std::string(text_.substr(at_ - nBytes, nBytes));
     }
-    while (rest_.size() < nBytes) {
+    while (decoded_.size() < nBytes) {
         decodeGroup();
     }
-    std::string bytes = rest_.substr(0, nBytes);
-    rest_.erase(0, nBytes);
+    std::string bytes = decoded_.substr(0, nBytes);
+    decoded_.erase(0, nBytes);
     return bytes;
 }
 
@@ -55,7 +55,7 @@ void ByteStream::decodeGroup() {
     int nDigits = 0, nPadding = 0;
     while (nDigits + nPadding < 4) {
         if (at_ == text_.size()) {
-            throw InputError("base64 data end too early: the file is cut off.");
+            throw InputError("base64 data end too early: the file is cut off");
         }
         const char c = text_[at_++];
         if (isSpace(c)) {
@@ -65,14 +65,14 @@ void ByteStream::decodeGroup() {
         if (c == '=') {
             ++nPadding;
         } else if (digit < 0 || nPadding > 0) {
-            throw InputError(fmt::format("'{}' is not a character of base64 here.", c));
+            throw InputError(fmt::format("'{}' is not a character of base64 here", c));
         } else {
             ++nDigits;
         }
         bits = bits << 6 | static_cast<unsigned>(digit < 0 ? 0 : digit);
     }
     for (int i = 0; i + 1 < nDigits; ++i) {
-        rest_ += static_cast<char>(bits >> (16 - 8 * i) & 0xff);
+        decoded_ += static_cast<char>(bits >> (16 - 8 * i) & 0xff);
     }
 }
 

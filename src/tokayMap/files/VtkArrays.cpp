@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tokayMap/VtkArrays.hpp"
+#include "tokayMap/files/VtkArrays.hpp"
 
 #include "common/errors.hpp"
 
 #include <fmt/format.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
-#include <functional>
+#include <limits>
 #include <map>
 #include <sstream>
 
@@ -20,7 +21,7 @@ namespace {
 std::string contentOf(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     if (!file) {
-        throw InputError(fmt::format("{}: the file cannot be opened.", path));
+        throw InputError(fmt::format("{}: the file cannot be opened", path));
     }
     std::ostringstream content;
     content << file.rdbuf();
@@ -45,7 +46,7 @@ std::vector<double> converted(const std::string& type, const std::string& bytes)
         {"Int64", converted<std::int64_t>}, {"UInt64", converted<std::uint64_t>}};
     const auto found = byType.find(type);
     if (found == byType.end()) {
-        throw InputError(fmt::format("numbers of type '{}' are not supported.", type));
+        throw InputError(fmt::format("numbers of type '{}' are not supported", type));
     }
     return found->second(bytes);
 }
@@ -63,17 +64,18 @@ std::vector<double> parsed(const char* text) {
     }
     text += std::strspn(text, " \t\r\n");
     if (*text != '\0') {
-        throw InputError(fmt::format("'{}' is not a number.", std::string(text).substr(0, 20)));
+        throw InputError(fmt::format("'{}' is not a number", std::string(text).substr(0, 20)));
     }
     return values;
 }
 
+constexpr std::size_t largestRatio = 1032; // of zlib
+
 /// @param compressed  a block
 std::string inflated(const std::string& compressed, std::size_t size) {
-    constexpr std::size_t largestRatio = 1032; // of zlib
     if (size / largestRatio > compressed.size()) {
         throw InputError(
-            fmt::format("a block of {} bytes cannot grow to {}.", compressed.size(), size));
+            fmt::format("a block of {} bytes cannot grow to {}", compressed.size(), size));
     }
     std::string bytes(size, '\0');
     uLongf n = size;
@@ -81,7 +83,7 @@ std::string inflated(const std::string& compressed, std::size_t size) {
         uncompress(reinterpret_cast<Bytef*>(bytes.data()), &n,
                    reinterpret_cast<const Bytef*>(compressed.data()), compressed.size());
     if (status != Z_OK || n != size) {
-        throw InputError("a block of compressed data is damaged.");
+        throw InputError("a block of compressed data is damaged");
     }
     return bytes;
 }
@@ -89,7 +91,9 @@ std::string inflated(const std::string& compressed, std::size_t size) {
 } // namespace
 
 VtkArrays::VtkArrays(const std::string& path) : path_(path) {
-    splitOffAppended(contentOf(path));
+    const std::string content = contentOf(path);
+    fileSize_ = content.size();
+    splitOffAppended(content);
     readAttributes();
 }
 
@@ -103,19 +107,19 @@ void VtkArrays::splitOffAppended(const std::string& content) {
         element == std::string::npos ? content : content.substr(0, element) + "</VTKFile>";
     const pugi::xml_parse_result result = document_.load_buffer(head.data(), head.size());
     if (!result) {
-        fail(fmt::format("not well-formed XML: {} (at byte {}).", result.description(),
+        fail(fmt::format("not well-formed XML: {} (at byte {})", result.description(),
                          result.offset));
     }
     if (!root()) {
-        fail("not a VTK file in XML (no element VTKFile). Legacy .vtk files: save as .vtu or "
-             ".vtp.");
+        fail("not a VTK file in XML (no element VTKFile); legacy .vtk "
+             "files: save as .vtu or .vtp");
     }
     if (element == std::string::npos) {
         return;
     }
     const std::size_t end = content.find('>', element), mark = content.find('_', end);
     if (mark == std::string::npos) {
-        fail("the appended data do not begin with an underscore.");
+        fail("the appended data do not begin with an underscore");
     }
     const std::string tag = content.substr(element, end - element);
     if (tag.find("base64") != std::string::npos) {
@@ -127,16 +131,17 @@ void VtkArrays::splitOffAppended(const std::string& content) {
 void VtkArrays::readAttributes() {
     const std::string order = root().attribute("byte_order").as_string("LittleEndian");
     if (order != "LittleEndian") {
-        fail(fmt::format("byte order '{}' is not supported: write little-endian.", order));
+        fail(fmt::format("byte order '{}' is not supported: write little-endian", order));
     }
     const std::string header = root().attribute("header_type").as_string("UInt32");
     if (header != "UInt32" && header != "UInt64") {
-        fail(fmt::format("header_type '{}' is neither UInt32 nor UInt64.", header));
+        fail(fmt::format("header_type '{}' is neither UInt32 nor UInt64", header));
     }
     headerSize_ = header == "UInt64" ? 8 : 4;
     const std::string compressor = root().attribute("compressor").as_string();
     if (!compressor.empty() && compressor != "vtkZLibDataCompressor") {
-        fail(fmt::format("the compressor {} is not supported: write with zlib or without.",
+        fail(fmt::format("the compressor {} is not supported: write with zlib or "
+                         "without",
                          compressor));
     }
     isCompressed_ = !compressor.empty();
@@ -156,10 +161,22 @@ std::vector<double> VtkArrays::numbers(pugi::xml_node array) const {
 std::vector<double> VtkArrays::numbers(pugi::xml_node array, std::size_t n) const {
     std::vector<double> values = numbers(array);
     if (values.size() != n) {
-        fail(fmt::format("array '{}' has {} numbers, but {} are announced.",
+        fail(fmt::format("array '{}' has {} numbers, but {} are announced",
                          array.attribute("Name").as_string(), values.size(), n));
     }
     return values;
+}
+
+std::size_t VtkArrays::count(pugi::xml_node node, const char* attribute,
+                             std::size_t fallback) const {
+    const std::size_t n = node.attribute(attribute).as_ullong(fallback);
+    const std::size_t most =
+        std::min<std::size_t>(fileSize_ * largestRatio, std::numeric_limits<int>::max());
+    if (n > most) {
+        fail(fmt::format("{}: {} is more than a file of {} bytes can hold", attribute,
+                         node.attribute(attribute).value(), fileSize_));
+    }
+    return n;
 }
 
 pugi::xml_node VtkArrays::arrayIn(pugi::xml_node parent, const std::string& name) const {
@@ -167,7 +184,7 @@ pugi::xml_node VtkArrays::arrayIn(pugi::xml_node parent, const std::string& name
         name.empty() ? parent.child("DataArray")
                      : parent.find_child_by_attribute("DataArray", "Name", name.c_str());
     if (!array) {
-        fail(fmt::format("the element '{}' has no array '{}'.", parent.name(), name));
+        fail(fmt::format("the element '{}' has no array '{}'", parent.name(), name));
     }
     return array;
 }
@@ -178,12 +195,12 @@ ByteStream VtkArrays::stream(pugi::xml_node array) const {
         return {array.child_value(), ByteEncoding::base64};
     }
     if (format != "appended") {
-        throw InputError(fmt::format("the format '{}' is not ascii, binary or appended.", format));
+        throw InputError(fmt::format("the format '{}' is not ascii, binary or appended", format));
     }
     const std::size_t offset = array.attribute("offset").as_ullong();
     if (offset >= appended_.size()) {
-        throw InputError(fmt::format("its offset {} is beyond the {} appended bytes.", offset,
-                                     appended_.size()));
+        throw InputError(
+            fmt::format("its offset {} is beyond the {} appended bytes", offset, appended_.size()));
     }
     return {std::string_view(appended_).substr(offset), appendedEncoding_};
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tokayMap/VtkArrays.hpp"
+#include "tokayMap/files/VtkArrays.hpp"
 
 namespace tokay::tool {
 
-struct VtkCell {
-    /// 0 points, 1 line, 2 face.
+/// Cell of a file.
+struct MeshCell {
+    /// Dimension: 0 points, 1 line, 2 face.
     int dimension;
     std::vector<int> vertices;
 };
@@ -15,7 +16,7 @@ struct VtkCell {
 /// which VTK numbers their values.
 /// @throws InputError naming the first cell that is not supported or names a
 /// vertex that does not exist
-std::vector<VtkCell> readVtkCells(const VtkArrays& arrays, pugi::xml_node piece,
-                                  std::size_t nVertices);
+std::vector<MeshCell> readVtkCells(const VtkArrays& arrays, pugi::xml_node piece,
+                                   std::size_t nVertices);
 
 } // namespace tokay::tool

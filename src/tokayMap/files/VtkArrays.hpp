@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tokayMap/ByteStream.hpp"
+#include "tokayMap/files/ByteStream.hpp"
 
 #include <pugixml.hpp>
 
@@ -17,16 +17,20 @@ class VtkArrays {
     /// in a way that is not supported (byte order, compressor)
     explicit VtkArrays(const std::string& path);
 
-    /// The element VTKFile.
+    /// Element VTKFile.
     pugi::xml_node root() const { return document_.child("VTKFile"); }
 
     /// Numbers of a DataArray element, all components of a tuple together.
     /// @throws InputError naming file and array
     std::vector<double> numbers(pugi::xml_node array) const;
 
-    /// The same, if there are n.
+    /// Numbers of a DataArray element that must have n of them.
     /// @throws InputError too if there are not
     std::vector<double> numbers(pugi::xml_node array, std::size_t n) const;
+
+    /// Count that an attribute announces; fallback if it is not there.
+    /// @throws InputError if a file of this size cannot hold as many
+    std::size_t count(pugi::xml_node node, const char* attribute, std::size_t fallback = 0) const;
 
     /// DataArray element in another one; the first if no name is given.
     /// @throws InputError if there is none
@@ -44,6 +48,7 @@ class VtkArrays {
     std::string uncompressed(ByteStream& stream) const;
 
     std::string path_;
+    std::size_t fileSize_ = 0;
     pugi::xml_document document_;
     std::string appended_;
     ByteEncoding appendedEncoding_ = ByteEncoding::raw;

@@ -25,7 +25,7 @@ class ByteStream {
     ByteEncoding encoding_;
     std::size_t at_ = 0;
     /// Decoded but not yet taken.
-    std::string rest_;
+    std::string decoded_;
 };
 
 } // namespace tokay::tool

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tokayMap/writeField.hpp"
+#include "tokayMap/files/writeField.hpp"
 
 #include "common/VtuFile.hpp"
+
+#include <cassert>
 
 namespace tokay::tool {
 
 namespace {
 
-/// VTK's: vertex, line, triangle, quadrilateral, polygon.
-std::uint8_t cellType(std::size_t nVertices) {
-    constexpr std::uint8_t types[] = {0, 1, 3, 5, 9};
-    return nVertices < std::size(types) ? types[nVertices] : 7;
+VtkCell cellType(std::size_t nVertices) {
+    assert(nVertices > 0);
+    constexpr VtkCell types[] = {VtkCell::vertex, VtkCell::line, VtkCell::triangle,
+                                 VtkCell::quadrilateral};
+    return nVertices <= std::size(types) ? types[nVertices - 1] : VtkCell::polygon;
 }
 
 std::vector<double> byRows(const Eigen::MatrixXd& values) {
@@ -23,7 +26,7 @@ std::vector<double> byRows(const Eigen::MatrixXd& values) {
 void writeField(const std::string& path, const FieldCells& cells, const std::string& name,
                 const Eigen::MatrixXd& values) {
     std::vector<std::int64_t> connectivity, ends;
-    std::vector<std::uint8_t> types;
+    std::vector<VtkCell> types;
     for (const std::vector<int>& cell : cells.cells) {
         connectivity.insert(connectivity.end(), cell.begin(), cell.end());
         ends.push_back(static_cast<std::int64_t>(connectivity.size()));

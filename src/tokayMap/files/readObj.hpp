@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tokayMap/MeshFile.hpp"
+#include "tokayMap/files/MeshFile.hpp"
 
 namespace tokay::tool {
 

@@ -5,10 +5,10 @@
 
 namespace tokay::mapper {
 
-using SparseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+using RowSparseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 /// Storage of the matrix [byte].
-inline double bytesOf(const SparseMatrix& matrix) {
+inline double bytesOf(const RowSparseMatrix& matrix) {
     return static_cast<double>(matrix.nonZeros()) * (sizeof(double) + sizeof(int)) +
            static_cast<double>(matrix.outerSize() + 1) * sizeof(int);
 }

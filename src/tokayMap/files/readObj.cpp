@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tokayMap/readObj.hpp"
+#include "tokayMap/files/readObj.hpp"
 
 #include "common/errors.hpp"
 
@@ -19,7 +19,7 @@ class ObjReader {
     MeshFile read() {
         std::ifstream file(path_);
         if (!file) {
-            throw InputError(fmt::format("{}: the file cannot be opened.", path_));
+            throw InputError(fmt::format("{}: the file cannot be opened", path_));
         }
         for (std::string line; std::getline(file, line);) {
             ++lineNumber_;
@@ -29,7 +29,7 @@ class ObjReader {
         mesh.isLines = faces_.empty();
         mesh.cells = mesh.isLines ? std::move(lines_) : std::move(faces_);
         if (mesh.cells.empty()) {
-            throw InputError(fmt::format("{}: there is neither a face nor a line in it.", path_));
+            throw InputError(fmt::format("{}: there is neither a face nor a line in it", path_));
         }
         mesh.vertices = Eigen::Map<const Points>(coordinates_.data(), coordinates_.size() / 3, 3);
         return mesh;
@@ -57,7 +57,7 @@ class ObjReader {
         for (int i = 0; i < 3; ++i) {
             double value;
             if (!(words >> value)) {
-                fail("a vertex needs three numbers.");
+                fail("a vertex needs three numbers");
             }
             coordinates_.push_back(value);
         }
@@ -66,7 +66,7 @@ class ObjReader {
     void addFace(std::istringstream& words) {
         const std::vector<int> vertices = readVertices(words);
         if (vertices.size() < 3) {
-            fail(fmt::format("a face needs at least three vertices, this one has {}.",
+            fail(fmt::format("a face needs at least three vertices, this one has {}",
                              vertices.size()));
         }
         faces_.push_back(vertices);
@@ -75,7 +75,7 @@ class ObjReader {
     void addPolyline(std::istringstream& words) {
         const std::vector<int> vertices = readVertices(words);
         if (vertices.size() < 2) {
-            fail("a line needs at least two vertices.");
+            fail("a line needs at least two vertices");
         }
         for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
             lines_.push_back({vertices[i], vertices[i + 1]});
@@ -91,12 +91,12 @@ class ObjReader {
             char* end = nullptr;
             const long number = std::strtol(word.c_str(), &end, 10);
             if (end == word.c_str() || (*end != '\0' && *end != '/')) {
-                fail(fmt::format("'{}' is not the number of a vertex.", word));
+                fail(fmt::format("'{}' is not the number of a vertex", word));
             }
             const long vertex = number < 0 ? nVertices + number : number - 1;
             if (number == 0 || vertex < 0 || vertex >= nVertices) {
-                fail(fmt::format("there is no vertex {}: {} stand before this line (numbers "
-                                 "start at 1).",
+                fail(fmt::format("there is no vertex {}: {} stand before this line (indices "
+                                 "start at 1)",
                                  number, nVertices));
             }
             vertices.push_back(static_cast<int>(vertex));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tokayMap/readValues.hpp"
+#include "tokayMap/files/readValues.hpp"
 
 #include "common/errors.hpp"
 
@@ -22,7 +22,7 @@ std::vector<double> numbersOf(std::string line, const std::string& place) {
         char* end = nullptr;
         numbers.push_back(std::strtod(word.c_str(), &end));
         if (*end != '\0') {
-            throw InputError(fmt::format("{}: '{}' is not a number.", place, word));
+            throw InputError(fmt::format("{}: '{}' is not a number", place, word));
         }
     }
     return numbers;
@@ -33,7 +33,7 @@ std::vector<double> numbersOf(std::string line, const std::string& place) {
 Eigen::MatrixXd readValues(const std::string& path) {
     std::ifstream file(path);
     if (!file) {
-        throw InputError(fmt::format("{}: the file cannot be opened.", path));
+        throw InputError(fmt::format("{}: the file cannot be opened", path));
     }
     std::vector<double> all;
     std::size_t nColumns = 0;
@@ -49,13 +49,13 @@ Eigen::MatrixXd readValues(const std::string& path) {
             nColumns = row.size();
         }
         if (row.size() != nColumns) {
-            throw InputError(fmt::format("{}: {} numbers, but the lines before have {}.", place,
+            throw InputError(fmt::format("{}: {} numbers, but the lines before have {}", place,
                                          row.size(), nColumns));
         }
         all.insert(all.end(), row.begin(), row.end());
     }
     if (all.empty()) {
-        throw InputError(fmt::format("{}: there is no number in it.", path));
+        throw InputError(fmt::format("{}: there is no number in it", path));
     }
     using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     const auto columns = static_cast<Eigen::Index>(nColumns);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tokayMap/readVtk.hpp"
+#include "tokayMap/files/readVtk.hpp"
 
-#include "tokayMap/readVtkCells.hpp"
+#include "tokayMap/files/readVtkCells.hpp"
 
 #include <fmt/format.h>
 
@@ -22,7 +22,7 @@ class VtkReader {
         const std::string type = arrays_.root().attribute("type").as_string();
         if (type != "UnstructuredGrid" && type != "PolyData") {
             arrays_.fail(fmt::format("its type '{}' is not UnstructuredGrid (.vtu) or PolyData "
-                                     "(.vtp).",
+                                     "(.vtp)",
                                      type));
         }
         for (const pugi::xml_node piece : arrays_.root().child(type.c_str()).children("Piece")) {
@@ -40,13 +40,13 @@ class VtkReader {
     std::size_t nVertices() const { return coordinates_.size() / 3; }
 
     void addPiece(pugi::xml_node piece) {
-        const std::size_t n = piece.attribute("NumberOfPoints").as_ullong();
+        const std::size_t n = arrays_.count(piece, "NumberOfPoints");
         if (n == 0) {
             return;
         }
         const std::size_t firstVertex = nVertices(), firstCell = cells_.size();
         append(arrays_.numbers(arrays_.arrayIn(piece.child("Points")), 3 * n), coordinates_);
-        for (VtkCell& cell : readVtkCells(arrays_, piece, n)) {
+        for (MeshCell& cell : readVtkCells(arrays_, piece, n)) {
             for (int& vertex : cell.vertices) {
                 vertex += static_cast<int>(firstVertex);
             }
@@ -67,25 +67,25 @@ class VtkReader {
     /// @param before  rows that the field must have from the pieces before
     void addField(pugi::xml_node array, ValuesAt at, std::size_t before, std::size_t n) {
         const std::string name = array.attribute("Name").as_string();
-        const std::size_t nComponents = array.attribute("NumberOfComponents").as_ullong(1);
+        const std::size_t nComponents = arrays_.count(array, "NumberOfComponents", 1);
         Values& field = fields_[{at, name}];
         if (before == 0) {
             field.nComponents = nComponents;
         }
         if (nComponents == 0 || field.nComponents != nComponents ||
             field.values.size() != before * nComponents) {
-            arrays_.fail(fmt::format("the field '{}' is not the same in all pieces.", name));
+            arrays_.fail(fmt::format("the field '{}' is not the same in all pieces", name));
         }
         append(arrays_.numbers(array, n * nComponents), field.values);
     }
 
     MeshFile finished() {
         int dimension = 0;
-        for (const VtkCell& cell : cells_) {
+        for (const MeshCell& cell : cells_) {
             dimension = std::max(dimension, cell.dimension);
         }
         if (dimension == 0) {
-            arrays_.fail("there is neither a face nor a line in it.");
+            arrays_.fail("there is neither a face nor a line in it");
         }
         MeshFile mesh;
         mesh.isLines = dimension == 1;
@@ -119,7 +119,7 @@ class VtkReader {
         using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
         const std::size_t n = at == ValuesAt::vertices ? nVertices() : cells_.size();
         if (values.values.size() != n * values.nComponents) {
-            arrays_.fail(fmt::format("the field '{}' is not the same in all pieces.", name));
+            arrays_.fail(fmt::format("the field '{}' is not the same in all pieces", name));
         }
         const Eigen::Map<const Rows> all(values.values.data(), n, values.nComponents);
         if (at == ValuesAt::vertices) {
@@ -130,7 +130,7 @@ class VtkReader {
 
     VtkArrays arrays_;
     std::vector<double> coordinates_;
-    std::vector<VtkCell> cells_;
+    std::vector<MeshCell> cells_;
     std::map<std::pair<ValuesAt, std::string>, Values> fields_;
 };
 

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fuzz/fuzz.hpp"
+#include "geometry/brep/cadJson.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    return tokay::fuzz::run(
+        [&] { tokay::geometry::readCadJson(tokay::fuzz::fileOf(data, size, ".cad.json")); });
+}
