@@ -19,7 +19,7 @@ constexpr const char* vtkName(int) {
 constexpr const char* vtkName(std::int64_t) {
     return "Int64";
 }
-constexpr const char* vtkName(std::uint8_t) {
+constexpr const char* vtkName(VtkCell) {
     return "UInt8";
 }
 
@@ -56,8 +56,7 @@ std::string VtuFile::append(const std::string& name, int nComponents,
 
 void VtuFile::beginPiece(const std::vector<double>& coordinates,
                          const std::vector<std::int64_t>& connectivity,
-                         const std::vector<std::int64_t>& ends,
-                         const std::vector<std::uint8_t>& types) {
+                         const std::vector<std::int64_t>& ends, const std::vector<VtkCell>& types) {
     Piece& piece = pieces_.emplace_back();
     piece.counts = fmt::format(" NumberOfPoints=\"{}\" NumberOfCells=\"{}\"",
                                coordinates.size() / 3, types.size());

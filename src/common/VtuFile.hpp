@@ -7,6 +7,21 @@
 
 namespace tokay {
 
+/// VTK's cell types.
+/// Source: vtkCellType.h
+enum class VtkCell : std::uint8_t {
+    vertex = 1,
+    line = 3,
+    polyLine = 4,
+    triangle = 5,
+    polygon = 7,
+    quad = 9,
+    hexahedron = 12,
+    bezierCurve = 75,
+    bezierQuadrilateral = 77,
+    bezierHexahedron = 79
+};
+
 /// An unstructured grid and its fields as ParaView reads them (.vtu): the
 /// description as XML, the numbers appended in binary.
 class VtuFile {
@@ -17,10 +32,9 @@ class VtuFile {
     /// @param coordinates   x, y, z of each point [m]
     /// @param connectivity  points of each cell, cell after cell
     /// @param ends          where in the connectivity each cell ends
-    /// @param types         VTK's cell types
     void beginPiece(const std::vector<double>& coordinates,
                     const std::vector<std::int64_t>& connectivity,
-                    const std::vector<std::int64_t>& ends, const std::vector<std::uint8_t>& types);
+                    const std::vector<std::int64_t>& ends, const std::vector<VtkCell>& types);
 
     /// A field of the piece; all pieces must have the same ones.
     /// @param values     nComponents for each point or cell; six are a symmetric

@@ -7,10 +7,19 @@ namespace tokay::tool {
 
 namespace {
 
-/// VTK's: vertex, line, triangle, quadrilateral, polygon.
-std::uint8_t cellType(std::size_t nVertices) {
-    constexpr std::uint8_t types[] = {0, 1, 3, 5, 9};
-    return nVertices < std::size(types) ? types[nVertices] : 7;
+VtkCell cellType(std::size_t nVertices) {
+    switch (nVertices) {
+    case 1:
+        return VtkCell::vertex;
+    case 2:
+        return VtkCell::line;
+    case 3:
+        return VtkCell::triangle;
+    case 4:
+        return VtkCell::quad;
+    default:
+        return VtkCell::polygon;
+    }
 }
 
 std::vector<double> byRows(const Eigen::MatrixXd& values) {
@@ -23,7 +32,7 @@ std::vector<double> byRows(const Eigen::MatrixXd& values) {
 void writeField(const std::string& path, const FieldCells& cells, const std::string& name,
                 const Eigen::MatrixXd& values) {
     std::vector<std::int64_t> connectivity, ends;
-    std::vector<std::uint8_t> types;
+    std::vector<VtkCell> types;
     for (const std::vector<int>& cell : cells.cells) {
         connectivity.insert(connectivity.end(), cell.begin(), cell.end());
         ends.push_back(static_cast<std::int64_t>(connectivity.size()));

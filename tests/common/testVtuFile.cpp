@@ -14,7 +14,8 @@ namespace {
 /// A triangle and a line.
 VtuFile exampleFile() {
     VtuFile file;
-    file.beginPiece({0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2, 1, 2}, {3, 5}, {5, 3});
+    file.beginPiece({0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2, 1, 2}, {3, 5},
+                    {VtkCell::triangle, VtkCell::line});
     return file;
 }
 

@@ -77,7 +77,7 @@ std::optional<Parameters> contact(const PlaneBezier& a, const PlaneBezier& b, do
         return std::nullopt;
     }
     const double sizeA = size(a), sizeB = size(b);
-    if (std::max(sizeA, sizeB) <= tolerance) {
+    if (!(std::max(sizeA, sizeB) > tolerance)) {
         return a.start();
     }
     if (sizeA >= sizeB) {
@@ -102,7 +102,7 @@ std::optional<Parameters> contactBesideJoint(const PlaneBezier& a, const PlaneBe
     // The sides of a cusp are apart by the square of the distance to the joint;
     // nearer to it than this that is lost in rounding.
     constexpr double nearest = 1e-6;
-    if (areApartBesideJoint(a, b, tolerance) || smaller <= nearest) {
+    if (areApartBesideJoint(a, b, tolerance) || !(smaller > nearest)) {
         return std::nullopt;
     }
     const double between = std::min(tolerance, 1e-3 * smaller * smaller);

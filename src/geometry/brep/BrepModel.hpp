@@ -34,6 +34,8 @@ struct BrepEdge {
     std::vector<BrepTrim> trims;
     /// The edge in space, if a file gives it.
     std::optional<NurbsCurve> curve = std::nullopt;
+    /// Found by search, where a file does not say that its trims share an edge.
+    bool isFound = false;
 };
 
 /// How far the trims of an edge are apart.
@@ -91,5 +93,14 @@ bool runsAlong(const CurveOnSurface& first, const CurveOnSurface& second);
 /// "face.curve", or "face.curve-face.curve".
 /// @param tolerance  distance up to which curves coincide [m]
 std::vector<BrepEdge> coincidentEdges(const std::vector<BrepFace>& faces, double tolerance);
+
+/// The model with an edge more for each place where trimming curves coincide over their
+/// whole length though they share no edge of the model.
+/// @param tolerance  distance up to which curves coincide [m]
+BrepModel withCoincidentEdges(const BrepModel& model, double tolerance);
+
+/// The model with the normals of all surfaces outwards: on faces whose outside is
+/// opposite to the normal, xi is reversed.
+BrepModel withOutwardNormals(const BrepModel& model);
 
 } // namespace tokay::geometry

@@ -9,12 +9,10 @@ namespace tokay::geometry {
 
 namespace {
 
-enum CellType : std::uint8_t { polyLine = 4, triangle = 5 };
-
 struct Cells {
     std::vector<double> coordinates, xi, eta;
     std::vector<std::int64_t> connectivity, ends;
-    std::vector<std::uint8_t> types;
+    std::vector<VtkCell> types;
     std::vector<int> faces, edges, elements;
 
     int nPoints() const { return static_cast<int>(xi.size()); }
@@ -24,7 +22,7 @@ struct Cells {
         xi.push_back(pointXi);
         eta.push_back(pointEta);
     }
-    void endCell(CellType type, int face, int edge, int element) {
+    void endCell(VtkCell type, int face, int edge, int element) {
         ends.push_back(static_cast<std::int64_t>(connectivity.size()));
         types.push_back(type);
         faces.push_back(face);
@@ -43,7 +41,7 @@ void addFace(const BrepModel& model, int face, double tolerance, Cells& cells) {
         for (const int corner : mesh.triangles[i]) {
             cells.connectivity.push_back(first + corner);
         }
-        cells.endCell(triangle, face, -1, mesh.elements[i]);
+        cells.endCell(VtkCell::triangle, face, -1, mesh.elements[i]);
     }
 }
 
@@ -55,7 +53,7 @@ void addEdge(const BrepModel& model, int edge, double tolerance, Cells& cells) {
             cells.connectivity.push_back(cells.nPoints());
             cells.addPoint(curve.derivatives(t, 0).row(0), at[0], at[1]);
         }
-        cells.endCell(polyLine, trim.face, edge, -1);
+        cells.endCell(VtkCell::polyLine, trim.face, edge, -1);
     }
 }
 

@@ -7,14 +7,11 @@ namespace tokay::structure {
 
 namespace {
 
-constexpr std::uint8_t vtkQuad = 9;
-constexpr std::uint8_t vtkBezierQuadrilateral = 77;
-
 // A grid of (nU + 1) x (nV + 1) points on each element, xi fastest.
-std::vector<Place> gridPoints(const geometry::NurbsSurface& surface, int nU, int nV, int patch) {
+std::vector<Location> gridPoints(const geometry::NurbsSurface& surface, int nU, int nV, int patch) {
     const std::vector<double>& xi = surface.u().breakpoints();
     const std::vector<double>& eta = surface.v().breakpoints();
-    std::vector<Place> points;
+    std::vector<Location> points;
     for (std::size_t spanV = 0; spanV + 1 < eta.size(); ++spanV) {
         for (std::size_t spanU = 0; spanU + 1 < xi.size(); ++spanU) {
             for (int j = 0; j <= nV; ++j) {
@@ -80,7 +77,7 @@ Eigen::MatrixXd toBernstein(const VtuMesh& mesh, const Eigen::MatrixXd& values) 
 
 VtuMesh quadMesh(const geometry::NurbsSurface& surface, int subdivision, int patch) {
     VtuMesh mesh;
-    mesh.cellType = vtkQuad;
+    mesh.cellType = VtkCell::quad;
     mesh.points = gridPoints(surface, subdivision, subdivision, patch);
     const int rowLength = subdivision + 1;
     const auto nPoints = static_cast<int>(mesh.points.size());
@@ -101,7 +98,7 @@ VtuMesh bezierMesh(const geometry::NurbsSurface& surface, int patch) {
     VtuMesh mesh;
     const int p = surface.u().degree();
     const int q = surface.v().degree();
-    mesh.cellType = vtkBezierQuadrilateral;
+    mesh.cellType = VtkCell::bezierQuadrilateral;
     mesh.degrees = {p, q, 0};
     mesh.cellSize = (p + 1) * (q + 1);
     mesh.points = gridPoints(surface, p, q, patch);
@@ -122,13 +119,14 @@ VtuMesh bezierMesh(const geometry::NurbsSurface& surface, int patch) {
         const geometry::NurbsSurface denominator(
             surface.u(), surface.v(),
             geometry::Points(surface.weights() * Eigen::RowVector3d(1, 0, 0)));
-        mesh.setDenominators(
-            [&](const Place& place) { return denominator.point(place.xi, place.eta)[0]; });
+        mesh.setDenominators([&](const Location& location) {
+            return denominator.point(location.xi, location.eta)[0];
+        });
     }
     return mesh;
 }
 
-void VtuMesh::setDenominators(const std::function<double(const Place&)>& denominator) {
+void VtuMesh::setDenominators(const std::function<double(const Location&)>& denominator) {
     Eigen::MatrixXd values(1, points.size());
     for (std::size_t k = 0; k < points.size(); ++k) {
         values(0, k) = denominator(points[k]);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "common/VtuFile.hpp"
 #include "geometry/spline/NurbsSurface.hpp"
-#include "igaStructure/output/Place.hpp"
+#include "igaStructure/output/Location.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -10,12 +11,12 @@
 
 namespace tokay::structure {
 
-/// Cells of one kind of a .vtu file, and the places of a body where its points lie.
+/// Cells of one kind of a .vtu file, and the locations of a body where its points lie.
 struct VtuMesh {
-    std::vector<Place> points; ///< where fields are evaluated
+    std::vector<Location> points; ///< where fields are evaluated
     std::vector<std::int64_t> connectivity;
-    int cellSize = 4; ///< points a cell
-    std::uint8_t cellType = 9;
+    int cellSize = 4; ///< points per cell
+    VtkCell cellType = VtkCell::quad;
 
     /// Bezier cells only: degrees of each cell; weight of each control point;
     /// the rational functions' denominator at each point (empty: polynomial);
@@ -29,7 +30,7 @@ struct VtuMesh {
     Eigen::MatrixXd toBernsteinZeta = Eigen::MatrixXd::Ones(1, 1);
 
     /// Sets weights and denominators from the rational functions' denominator.
-    void setDenominators(const std::function<double(const Place&)>& denominator);
+    void setDenominators(const std::function<double(const Location&)>& denominator);
 
     bool isBezier() const { return degrees[0] > 0; }
 };
@@ -42,7 +43,7 @@ VtuMesh quadMesh(const geometry::NurbsSurface& surface, int subdivision, int pat
 /// fields of the patch's own basis, interpolating for others.
 VtuMesh bezierMesh(const geometry::NurbsSurface& surface, int patch = 0);
 
-/// What the file says at a mesh's points: the values of a field, or for Bezier
+/// Values that the file has at a mesh's points: those of a field, or for Bezier
 /// cells its control values.
 /// @param values  a column a point
 Eigen::MatrixXd fileValues(const VtuMesh& mesh, const Eigen::MatrixXd& values);

@@ -5,12 +5,7 @@
 
 namespace tokay::structure {
 
-namespace {
-
-constexpr std::uint8_t vtkLine = 3;
-constexpr std::uint8_t vtkBezierCurve = 75;
-
-} // namespace
+namespace {} // namespace
 
 VtuMesh stripMesh(const geometry::NurbsCurve& curve, int subdivision, double thickness) {
     const std::vector<double>& xi = curve.knotVector().breakpoints();
@@ -34,7 +29,7 @@ VtuMesh stripMesh(const geometry::NurbsCurve& curve, int subdivision, double thi
 VtuMesh segmentMesh(const geometry::NurbsCurve& curve, int subdivision) {
     const std::vector<double>& xi = curve.knotVector().breakpoints();
     VtuMesh mesh;
-    mesh.cellType = vtkLine;
+    mesh.cellType = VtkCell::line;
     mesh.cellSize = 2;
     for (std::size_t span = 0; span + 1 < xi.size(); ++span) {
         const auto first = static_cast<std::int64_t>(mesh.points.size());
@@ -53,7 +48,7 @@ VtuMesh bezierMesh(const geometry::NurbsCurve& curve) {
     const std::vector<double>& xi = curve.knotVector().breakpoints();
     const int p = curve.degree();
     VtuMesh mesh;
-    mesh.cellType = vtkBezierCurve;
+    mesh.cellType = VtkCell::bezierCurve;
     mesh.degrees = {p, 0, 0};
     mesh.cellSize = p + 1;
     mesh.toBernsteinXi = bernsteinInverse(p);
@@ -71,7 +66,8 @@ VtuMesh bezierMesh(const geometry::NurbsCurve& curve) {
     if (curve.isRational()) {
         const geometry::NurbsCurve denominator(
             curve.knotVector(), geometry::Points(curve.weights() * Eigen::RowVector3d(1, 0, 0)));
-        mesh.setDenominators([&](const Place& place) { return denominator.point(place.xi)[0]; });
+        mesh.setDenominators(
+            [&](const Location& location) { return denominator.point(location.xi)[0]; });
     }
     return mesh;
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/output/writeVtu.hpp"
 
-#include "common/VtuFile.hpp"
-
 namespace tokay::structure {
 
 namespace {
@@ -30,7 +28,7 @@ void addPiece(const VtuPiece& piece, VtuFile& file) {
     }
     const Eigen::MatrixXd points = fileValues(mesh, piece.positions);
     file.beginPiece({points.data(), points.data() + points.size()}, mesh.connectivity, ends,
-                    std::vector<std::uint8_t>(nCells, mesh.cellType));
+                    std::vector<VtkCell>(nCells, mesh.cellType));
     if (mesh.isBezier()) {
         addBezierData(mesh, nCells, file);
     }
