@@ -128,7 +128,7 @@ struct Price {
 double tipOf(const Body& body, const Eigen::VectorXd& displacement) {
     const double depth = body.dimension() == 2 ? 0 : 0.5;
     const Body::Closest tip = body.closest({0, 1, depth});
-    return body.displacements(displacement, {tip.place})(0, 0);
+    return body.displacements(displacement, {tip.location})(0, 0);
 }
 
 Price solveOnce(const Flap& flap) {
@@ -136,7 +136,7 @@ Price solveOnce(const Flap& flap) {
     const std::clock_t start = std::clock();
     const std::unique_ptr<Body> body = makeBody(structureCase);
     StructuralModel& model = body->model();
-    TimeIntegrator integrator(model, structureCase.timeScheme, structureCase.newton, 0);
+    TimeIntegrator integrator(model, *structureCase.implicitScheme(), structureCase.newton, 0);
     const double step = structureCase.timeSteps->step;
     for (int k = 1; k * step < 1 + 0.5 * step; ++k) {
         integrator.beginTimeStep(k * step, step);

@@ -6,7 +6,7 @@
 #include "common/errors.hpp"
 #include "geometry/primitives/primitives.hpp"
 #include "geometry/spline/refinement.hpp"
-#include "igaStructure/kinematics/beam/Line.hpp"
+#include "igaStructure/kinematics/beam/Beam.hpp"
 #include "igaStructure/kinematics/plane/PlaneSolid.hpp"
 #include "igaStructure/kinematics/shell/Shell.hpp"
 #include "igaStructure/timeIntegration/TimeIntegrator.hpp"
@@ -35,7 +35,7 @@ struct Scene {
 };
 
 std::unique_ptr<StructuralModel> flag(const char* gravity) {
-    Material material;
+    PlaneMaterial material;
     material.kinematics = Kinematics::planeStrain;
     material.youngsModulus = 1.4e6;
     material.poissonsRatio = 0.4;
@@ -48,17 +48,17 @@ std::unique_ptr<StructuralModel> flag(const char* gravity) {
 }
 
 std::unique_ptr<StructuralModel> beam(const char* force) {
-    LineSection section;
+    BeamSection section;
     section.thickness = 0.1;
     section.axialStiffness = 1.2e6 * 0.1;
     section.bendingStiffness = 1.2e6 * 1e-3 / 12;
     section.mass = 10;
-    LineLoads loads;
+    BeamLoads loads;
     loads.ends.push_back(
-        {LineEnd::end, std::vector<Formula>{Formula("0", ""), Formula(force, "")}, std::nullopt});
-    return std::make_unique<Line>(
+        {BeamEnd::end, std::vector<Formula>{Formula("0", ""), Formula(force, "")}, std::nullopt});
+    return std::make_unique<Beam>(
         geometry::refine(geometry::line({0, 0, 0}, {10, 0, 0}), 4, 32), section, Strains::nonlinear,
-        std::vector<LineSupport>{{LineEnd::start, true, true, true}}, loads);
+        std::vector<BeamSupport>{{BeamEnd::start, true, true, true}}, loads);
 }
 
 enum Rim { right = 1, left = 3 };

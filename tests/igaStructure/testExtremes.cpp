@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/errors.hpp"
-#include "igaStructure/kinematics/beam/exampleLine.hpp"
+#include "igaStructure/kinematics/beam/exampleBeam.hpp"
 #include "igaStructure/kinematics/shell/exampleShell.hpp"
 
 #include <fmt/format.h>
@@ -63,9 +63,9 @@ TEST(Extremes, time_step_a_thousand_times_too_large_ends_in_balance_or_with_a_re
     // The first period of the beam is 2 pi / (3.516 sqrt(E I / m L^4)) = 57 s, a twentieth
     // of it a sound step.
     for (const double force : {0.01, 1.0, 100.0}) {
-        ExampleLine kind;
+        ExampleBeam kind;
         kind.loads.ends.push_back(endForce("0", fmt::format("{}", force)));
-        Line line = kind.build();
+        Beam line = kind.build();
         expectBalanceOrReason(line, 1e3 * 57 / 20);
         ShellDescription plate = strip(0.1, 4, 8);
         plate.loads.edgeForces = {{{0, right}, VectorField::constant({0, 0, force})}};
@@ -87,16 +87,16 @@ TEST(Extremes, shell_rolls_up_twice_without_being_held_in_its_plane) {
 
 TEST(Extremes, beam_and_shell_of_thickness_1e_minus_5_roll_up_to_a_circle) {
     const double thickness = 12e-5; // degree 4 with 16 elements would lock
-    LineSection section;
+    BeamSection section;
     section.thickness = thickness;
     section.axialStiffness = 1.2e6 * thickness;
     section.bendingStiffness = 1.2e6 * std::pow(thickness, 3) / 12;
     section.mass = 1;
-    LineLoads loads;
+    BeamLoads loads;
     loads.ends.push_back(
         endMoment(fmt::format("{:.17g}*t", 2 * M_PI * section.bendingStiffness / 12)));
-    Line line(geometry::refine(geometry::line({0, 0, 0}, {12, 0, 0}), 5, 32), section,
-              Strains::nonlinear, {{LineEnd::start, true, true, true}}, loads);
+    Beam line(geometry::refine(geometry::line({0, 0, 0}, {12, 0, 0}), 5, 32), section,
+              Strains::nonlinear, {{BeamEnd::start, true, true, true}}, loads);
     TimeIntegrator integrator(line, TimeScheme::quasiStatic(), wholeUpdates(), 0);
     for (int step = 1; step <= 20; ++step) {
         integrator.beginTimeStep(0.05 * step, 0.05);
@@ -114,12 +114,12 @@ TEST(Extremes, beam_and_shell_of_thickness_1e_minus_5_roll_up_to_a_circle) {
 
 TEST(Extremes, beam_on_a_pin_is_spun_through_more_than_two_turns) {
     // A moment at its free end turns it as a rigid body, by M t^2 / 2 I.
-    ExampleLine kind;
+    ExampleBeam kind;
     kind.degree = 3;
     kind.elements = 4;
-    kind.supports = {{LineEnd::start, true, true, false}};
+    kind.supports = {{BeamEnd::start, true, true, false}};
     kind.loads.ends.push_back(endMoment("1"));
-    Line line = kind.build();
+    Beam line = kind.build();
     TimeIntegrator integrator(line, TimeScheme::generalisedAlpha(0.8), wholeUpdates(), 0);
     double angle = 0;
     Vector2d before(10, 0);

@@ -79,7 +79,7 @@ std::optional<Parameters> contactOfParts(const PlaneBezier& a, const PlaneBezier
         return std::nullopt;
     }
     const double sizeA = size(a), sizeB = size(b);
-    if (std::max(sizeA, sizeB) <= tolerance || depth == mostHalvings) {
+    if (!(std::max(sizeA, sizeB) > tolerance) || depth == mostHalvings) {
         return a.start();
     }
     const bool halvesA = sizeA >= sizeB;
@@ -99,7 +99,7 @@ std::optional<Parameters> contactBesideJoint(const PlaneBezier& a, const PlaneBe
     // The sides of a cusp are apart by the square of the distance to the joint;
     // nearer to it than this that is lost in rounding.
     constexpr double nearest = 1e-6;
-    if (areApartBesideJoint(a, b, tolerance) || smaller <= nearest) {
+    if (areApartBesideJoint(a, b, tolerance) || !(smaller > nearest)) {
         return std::nullopt;
     }
     if (depth == mostHalvings) {

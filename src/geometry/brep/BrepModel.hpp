@@ -32,6 +32,8 @@ struct BrepEdge {
     std::vector<BrepTrim> trims;
     /// The edge in space, if a file gives it.
     std::optional<NurbsCurve> curve = std::nullopt;
+    /// Found by search, where a file does not say that its trims share an edge.
+    bool isFound = false;
 };
 
 /// Distance between the trims of an edge.
@@ -92,5 +94,10 @@ bool runsAlong(const CurveOnSurface& first, const CurveOnSurface& second);
 /// "face.curve", or "face.curve-face.curve".
 /// @param tolerance  distance up to which curves coincide [m]
 std::vector<BrepEdge> coincidentEdges(const std::vector<BrepFace>& faces, double tolerance);
+
+/// The model with an edge more for each place where trimming curves coincide over their
+/// whole length though they share no edge of the model.
+/// @param tolerance  distance up to which curves coincide [m]
+BrepModel withCoincidentEdges(const BrepModel& model, double tolerance);
 
 } // namespace tokay::geometry

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace tokay::geometry {
 
 namespace {
@@ -94,6 +96,41 @@ std::vector<BrepEdge> coincidentEdges(const std::vector<BrepFace>& faces, double
         edges.push_back(std::move(edge));
     }
     return edges;
+}
+
+namespace {
+
+bool isSame(const BrepTrim& a, const BrepTrim& b) {
+    return a.face == b.face && a.curve == b.curve;
+}
+
+/// Whether one edge of the model has both trims.
+bool shareEdge(const BrepModel& model, const BrepTrim& a, const BrepTrim& b) {
+    const auto has = [](const BrepEdge& edge, const BrepTrim& trim) {
+        return std::any_of(edge.trims.begin(), edge.trims.end(),
+                           [&](const BrepTrim& own) { return isSame(own, trim); });
+    };
+    return std::any_of(model.edges().begin(), model.edges().end(),
+                       [&](const BrepEdge& edge) { return has(edge, a) && has(edge, b); });
+}
+
+} // namespace
+
+BrepModel withCoincidentEdges(const BrepModel& model, double tolerance) {
+    std::vector<BrepEdge> edges = model.edges();
+    for (BrepEdge& found : coincidentEdges(model.faces(), tolerance)) {
+        const BrepTrim first = found.trims.front();
+        const auto isKnown = [&](const BrepTrim& trim) {
+            return !isSame(first, trim) && shareEdge(model, first, trim);
+        };
+        found.trims.erase(std::remove_if(found.trims.begin(), found.trims.end(), isKnown),
+                          found.trims.end());
+        if (found.trims.size() > 1) {
+            found.isFound = true;
+            edges.push_back(std::move(found));
+        }
+    }
+    return BrepModel(model.faces(), std::move(edges), model.tolerance());
 }
 
 } // namespace tokay::geometry

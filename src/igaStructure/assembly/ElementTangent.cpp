@@ -35,12 +35,12 @@ void ElementTangent::add(const double* derivatives, std::ptrdiff_t stride,
 
 void ElementTangent::multiply() {
     const int size = 3 * nVectors_;
-    places_.clear();
+    locations_.clear();
     for (int point = 0; point < nPoints_; ++point) {
-        places_.push_back(hessians_.data() + static_cast<std::ptrdiff_t>(size) * size * point);
+        locations_.push_back(hessians_.data() + static_cast<std::ptrdiff_t>(size) * size * point);
     }
     for (int d = 0; d < 3; ++d) {
-        multiplyHessians(places_, *functions_, nVectors_, nFunctions_, d, *right_);
+        multiplyHessians(locations_, *functions_, nVectors_, nFunctions_, d, *right_);
         addProduct(*functions_, *right_, nVectors_ * nPoints_, nFunctions_, d, *sum_);
     }
     nPoints_ = 0;

@@ -43,7 +43,7 @@ class ElementTangent {
     int nFunctions_ = 0;
     int nPoints_ = 0;
     std::vector<double> hessians_;
-    std::vector<const double*> places_; ///< of the points' Hessians
+    std::vector<const double*> locations_; ///< of the points' Hessians
     std::optional<PaddedRows> functions_, right_, sum_;
     Eigen::MatrixXd matrix_;
 };

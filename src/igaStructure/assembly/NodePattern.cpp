@@ -9,6 +9,32 @@
 
 namespace tokay::structure {
 
+std::vector<std::vector<int>>
+tensorNeighbours(const std::vector<geometry::KnotVector>& directions) {
+    std::vector<std::vector<int>> all = {{0}};
+    int stride = 1; // of the direction
+    for (const geometry::KnotVector& knots : directions) {
+        std::vector<std::vector<int>> product;
+        product.reserve(all.size() * knots.nBasis());
+        for (int i = 0; i < knots.nBasis(); ++i) {
+            const int first = std::max(0, i - knots.degree());
+            const int last = std::min(knots.nBasis() - 1, i + knots.degree());
+            for (const std::vector<int>& others : all) {
+                std::vector<int>& own = product.emplace_back();
+                own.reserve(others.size() * (last - first + 1));
+                for (int j = first; j <= last; ++j) {
+                    for (const int other : others) {
+                        own.push_back(other + stride * j);
+                    }
+                }
+            }
+        }
+        all = std::move(product);
+        stride *= knots.nBasis();
+    }
+    return all;
+}
+
 NodePattern::NodePattern(int nComponents, std::vector<std::vector<int>> neighbours)
     : nComponents_(nComponents) {
     starts_.push_back(0);
@@ -48,25 +74,25 @@ SparseMatrix NodePattern::zeroMatrix() const {
     return matrix;
 }
 
-void NodePattern::findPlaces(int column, const std::vector<int>& nodes,
-                             std::vector<int>& places) const {
+void NodePattern::findRows(int column, const std::vector<int>& nodes,
+                           std::vector<int>& rows) const {
     const auto begin = neighbours_.begin() + starts_[column];
     const auto end = neighbours_.begin() + starts_[column + 1];
-    auto place = begin;
+    auto entry = begin;
     for (std::size_t k = 0; k < nodes.size(); ++k) {
-        const bool follows = k > 0 && place + 1 < end && *(place + 1) == nodes[k];
-        place = follows ? place + 1 : std::lower_bound(begin, end, nodes[k]);
-        assert(place != end && *place == nodes[k]);
-        places[k] = static_cast<int>(place - begin);
+        const bool follows = k > 0 && entry + 1 < end && *(entry + 1) == nodes[k];
+        entry = follows ? entry + 1 : std::lower_bound(begin, end, nodes[k]);
+        assert(entry != end && *entry == nodes[k]);
+        rows[k] = static_cast<int>(entry - begin);
     }
 }
 
 void NodePattern::add(const std::vector<int>& nodes, const Eigen::MatrixXd& element,
                       double* values) const {
-    std::vector<int> places(nodes.size());
+    std::vector<int> rows(nodes.size());
     const int n = nComponents_;
     for (std::size_t l = 0; l < nodes.size(); ++l) {
-        findPlaces(nodes[l], nodes, places);
+        findRows(nodes[l], nodes, rows);
         const std::ptrdiff_t height = n * (starts_[nodes[l] + 1] - starts_[nodes[l]]);
         double* block = values + n * n * starts_[nodes[l]];
         for (int c = 0; c < n; ++c) {
@@ -74,7 +100,7 @@ void NodePattern::add(const std::vector<int>& nodes, const Eigen::MatrixXd& elem
             double* target = block + c * height;
             for (std::size_t k = 0; k < nodes.size(); ++k) {
                 for (int r = 0; r < n; ++r) {
-                    target[n * places[k] + r] += source[n * k + r];
+                    target[n * rows[k] + r] += source[n * k + r];
                 }
             }
         }

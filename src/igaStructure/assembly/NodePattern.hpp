@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "geometry/spline/KnotVector.hpp"
+#include "igaStructure/assembly/SparseMatrix.hpp"
+
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
 
 #include <vector>
 
 namespace tokay::structure {
 
-using SparseMatrix = Eigen::SparseMatrix<double>;
+/// Functions of a tensor product that may share an element with each function: those
+/// whose indices differ by no more than the degree along each direction.
+/// @param directions  the first one is numbered fastest
+std::vector<std::vector<int>> tensorNeighbours(const std::vector<geometry::KnotVector>& directions);
 
-/// Sparsity of a symmetric matrix with nComponents unknowns a node, given which
-/// nodes have to do with each other.
+/// Sparsity of a symmetric matrix with nComponents unknowns per node, given which
+/// nodes share an element.
 class NodePattern {
   public:
     /// @param neighbours  of each node; any order, repetitions allowed, its own left
@@ -22,14 +27,14 @@ class NodePattern {
     /// The matrix with all its entries, which are zero.
     SparseMatrix zeroMatrix() const;
 
-    /// Adds an element matrix; fast where the nodes' numbers follow each other.
+    /// Adds an element matrix; fast where the nodes' indices are consecutive.
     /// @param nodes    neighbours of each other
-    /// @param element  component c of nodes[k] is number nComponents k + c
+    /// @param element  component c of nodes[k] has index nComponents k + c
     /// @param values   of a matrix made by zeroMatrix
     void add(const std::vector<int>& nodes, const Eigen::MatrixXd& element, double* values) const;
 
   private:
-    void findPlaces(int column, const std::vector<int>& nodes, std::vector<int>& places) const;
+    void findRows(int column, const std::vector<int>& nodes, std::vector<int>& rows) const;
 
     int nComponents_;
     std::vector<int> neighbours_;

@@ -2,18 +2,16 @@
 #pragma once
 
 #include "common/errors.hpp"
+#include "igaStructure/assembly/SparseMatrix.hpp"
 
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
 
 #include <vector>
 
 namespace tokay::structure {
 
-using SparseMatrix = Eigen::SparseMatrix<double>;
-
-/// What time integration needs of a structure discretised in space. Vectors
-/// have nUnknowns() entries: component c of control point k is number
+/// Equations of motion of a structure discretised in space. Vectors
+/// have nUnknowns() entries: component c of control point k has index
 /// nComponents() k + c. Matrices hold both triangles and all have one sparsity.
 class StructuralModel {
   public:
@@ -22,7 +20,19 @@ class StructuralModel {
     virtual int nUnknowns() const = 0;
     virtual int nComponents() const = 0;
 
-    /// Whether internal forces are linear in the displacement.
+    /// Displacements of the control points along the axes: the unknowns, unless some
+    /// stand for combinations of them.
+    virtual Eigen::VectorXd controlDisplacements(const Eigen::VectorXd& unknowns) const {
+        return unknowns;
+    }
+
+    /// Forces on the unknowns by forces on the control points: the transpose of
+    /// controlDisplacements().
+    virtual Eigen::VectorXd onUnknowns(const Eigen::VectorXd& onControlPoints) const {
+        return onControlPoints;
+    }
+
+    /// True if internal forces are linear in the displacement.
     virtual bool isLinear() const = 0;
 
     /// Consistent mass matrix [kg].
@@ -64,11 +74,11 @@ class StructuralModel {
     virtual void addFollowerForce(const Eigen::VectorXd& /*displacement*/, double /*time*/,
                                   Eigen::VectorXd& /*force*/) const {}
 
-    /// Subtracts their derivative from a tangent.
+    /// Subtracts the derivative of follower loads from a tangent.
     virtual void subtractFollowerDerivative(const Eigen::VectorXd& /*displacement*/,
                                             double /*time*/, SparseMatrix& /*tangent*/) const {}
 
-    /// Whether the tangent, derivatives of follower loads included, is symmetric but
+    /// True if the tangent, derivatives of follower loads included, is symmetric but
     /// for rows and columns of fixed unknowns.
     virtual bool hasSymmetricTangent() const { return true; }
 
@@ -77,6 +87,10 @@ class StructuralModel {
 
     /// Motions without strain that the supports leave free, in words.
     virtual std::vector<std::string> freeRigidMotions() const = 0;
+
+    /// Parts that neither a joint nor a support connects to anything else, in words: for
+    /// a model of several patches.
+    virtual std::vector<std::string> looseParts() const { return {}; }
 
     /// Largest extent [m].
     virtual double size() const = 0;

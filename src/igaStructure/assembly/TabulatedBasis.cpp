@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/assembly/TabulatedBasis.hpp"
 
-#include "igaStructure/assembly/gaussRule.hpp"
+#include "geometry/quadrature/gaussLegendre.hpp"
 
 namespace tokay::structure {
 
 TabulatedBasis::TabulatedBasis(const geometry::KnotVector& knots, int nPointsPerSpan,
                                int nDerivatives)
     : degree_(knots.degree()), nPoints_(nPointsPerSpan) {
-    const GaussRule rule = gaussRule(nPoints_);
+    const geometry::QuadratureRule& rule = geometry::gaussLegendre(nPoints_);
     const std::vector<double>& breakpoints = knots.breakpoints();
     for (std::size_t k = 0; k + 1 < breakpoints.size(); ++k) {
         const double length = breakpoints[k + 1] - breakpoints[k];

@@ -17,10 +17,10 @@ class TabulatedBasis {
 
     int nSpans() const { return static_cast<int>(firstFunctions_.size()); }
     int nPointsPerSpan() const { return nPoints_; }
-    /// Of those that are not zero on a span.
+    /// Number of functions that are not zero on a span.
     int nFunctions() const { return degree_ + 1; }
 
-    /// Number of the first function that is not zero on a span.
+    /// Index of the first function that is not zero on a span.
     int firstFunction(int span) const { return firstFunctions_[span]; }
 
     /// Row k: k-th derivatives; a column a function.

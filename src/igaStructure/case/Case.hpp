@@ -3,7 +3,7 @@
 
 #include "igaStructure/kinematics/Coupling.hpp"
 #include "igaStructure/kinematics/OutputOptions.hpp"
-#include "igaStructure/kinematics/beam/LineCase.hpp"
+#include "igaStructure/kinematics/beam/BeamDescription.hpp"
 #include "igaStructure/kinematics/plane/PlaneSolidCase.hpp"
 #include "igaStructure/kinematics/shell/element/ShellDescription.hpp"
 #include "igaStructure/kinematics/solid/SolidDescription.hpp"
@@ -19,15 +19,25 @@ namespace tokay::structure {
 
 /// Time steps of a run alone, which begins at 0.
 struct TimeSteps {
-    double step;              ///< [s]
-    double end;               ///< [s]
-    double smallestStep;      ///< a failed step is halved down to this; step: never [s]
-    int largestPathSteps = 0; ///< follow the equilibrium path by so many steps; 0: do not
-    bool isExplicit = false;  ///< central differences
+    double step;         ///< [s]
+    double end;          ///< [s]
+    double smallestStep; ///< a failed step is halved down to this; step: never [s]
 };
 
+/// Explicit time integration, with the lumped mass.
+struct CentralDifferences {};
+
+/// Equilibrium path of a static structure, through limit points.
+struct EquilibriumPath {
+    int maxSteps = 1000;
+};
+
+/// How a structure is advanced in time.
+using TimeIntegration = std::variant<TimeScheme, CentralDifferences, EquilibriumPath>;
+
 /// Geometry, model, material, supports and loads of one of the kinematics.
-using StructureCase = std::variant<PlaneSolidCase, LineCase, ShellDescription, SolidDescription>;
+using StructureCase =
+    std::variant<PlaneSolidCase, BeamDescription, ShellDescription, SolidDescription>;
 
 /// All that a case file says, checked and with its defaults.
 struct Case {
@@ -35,7 +45,7 @@ struct Case {
     std::string file;
     std::string directory; ///< of the case file; results go below it
     StructureCase structure;
-    TimeScheme timeScheme;
+    TimeIntegration timeScheme;
     std::optional<TimeSteps> timeSteps;
     NewtonOptions newton;
     OutputOptions output;
@@ -43,6 +53,15 @@ struct Case {
     std::string supportsPlace; ///< file, line and entry: begins messages
     std::string geometryPlace; ///< the same of what gives the body its shape
     std::string digest;        ///< of geometry and discretisation: what the unknowns belong to
+
+    /// The implicit time scheme; null if there is none.
+    const TimeScheme* implicitScheme() const { return std::get_if<TimeScheme>(&timeScheme); }
+
+    /// Whether inertia counts.
+    bool isDynamic() const {
+        return std::holds_alternative<CentralDifferences>(timeScheme) ||
+               (implicitScheme() && implicitScheme()->dynamic);
+    }
 };
 
 } // namespace tokay::structure

@@ -14,6 +14,8 @@ const std::vector<CaseEntry>& geometryEntries() {
 
     {"geometry", Kind::map, required, "", "", "", 0,
      "The body in its reference configuration; exactly one of the shapes below."},
+    {"geometry.slit", Kind::yesNo, defaulted, "no", "", "", 0,
+     "no: edges that coincide are joined: opposite sides of a body that is closed in itself (a pipe, a ring), and edges of different patches, also where a cad.json does not say that they share one. yes: they stay open, but for the edges that a cad.json shares."},
     {"geometry.rectangle", Kind::map, optional, "", "", "", 0,
      "Rectangle parallel to the axes; its edges left, right, bottom, top are where one sees them."},
     {"geometry.rectangle.origin", Kind::numbers, required, "", "m", "", 2,
@@ -59,7 +61,7 @@ const std::vector<CaseEntry>& geometryEntries() {
     {"geometry.block.size", Kind::numbers, required, "", "m", "(0, inf)", 3,
      "Extent along x, y and z."},
     {"geometry.cadJson", Kind::text, optional, "", "", "", 0,
-     "File of trimmed patches and their edges (shell, membrane), relative to the case file; patches are joined along edges that they share."},
+     "File of trimmed patches and their edges (shell, membrane), relative to the case file; patches are joined along edges that they share or that coincide (slit). The normal of a face with swapped_surface_normal is reversed, and its xi with it."},
     {"geometry.nurbs", Kind::map, optional, "", "", "", 0,
      "A NURBS curve (beam, cable), patch or volume (solid); left and right are its first and last xi, bottom and top its first and last eta, back and front its first and last zeta. A solid given by a surface lies half its thickness on either side; zeta is along the normal."},
     {"geometry.nurbs.degree", Kind::integers, required, "", "", "[1, 10]", 0,

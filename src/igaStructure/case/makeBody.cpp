@@ -2,7 +2,7 @@
 #include "igaStructure/case/makeBody.hpp"
 
 #include "igaStructure/assembly/GeometryError.hpp"
-#include "igaStructure/kinematics/beam/LineBody.hpp"
+#include "igaStructure/kinematics/beam/BeamBody.hpp"
 #include "igaStructure/kinematics/plane/PlaneBody.hpp"
 #include "igaStructure/kinematics/shell/ShellBody.hpp"
 #include "igaStructure/kinematics/solid/SolidBody.hpp"
@@ -13,13 +13,13 @@ namespace {
 
 // A kinematics adds its own overload.
 std::unique_ptr<Body> make(const PlaneSolidCase& solid) {
-    return std::make_unique<PlaneBody>(
-        PlaneSolid(solid.surface, solid.material, solid.strains, solid.supports, solid.loads));
+    return std::make_unique<PlaneBody>(PlaneSolid(solid.surface, solid.material, solid.strains,
+                                                  solid.supports, solid.loads, solid.isSlit));
 }
 
-std::unique_ptr<Body> make(const LineCase& line) {
-    return std::make_unique<LineBody>(
-        Line(line.curve, line.section, line.strains, line.supports, line.loads, line.dimension));
+std::unique_ptr<Body> make(const BeamDescription& beam) {
+    return std::make_unique<BeamBody>(
+        Beam(beam.curve, beam.section, beam.strains, beam.supports, beam.loads, beam.dimension));
 }
 
 std::unique_ptr<Body> make(const ShellDescription& shell) {

@@ -5,7 +5,7 @@
 #include "igaStructure/case/readCoupling.hpp"
 #include "igaStructure/caseFile/CaseSection.hpp"
 #include "igaStructure/caseFile/requireUsed.hpp"
-#include "igaStructure/kinematics/beam/readLine.hpp"
+#include "igaStructure/kinematics/beam/readBeam.hpp"
 #include "igaStructure/kinematics/plane/readPlaneSolid.hpp"
 #include "igaStructure/kinematics/readGeometry.hpp"
 #include "igaStructure/kinematics/shell/readShell.hpp"
@@ -13,6 +13,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
+#include <cstring>
 #include <filesystem>
 
 namespace tokay::structure {
@@ -34,12 +37,12 @@ StructureCase readStructure(const CaseSection& file, const std::string& director
                                                  material.text("type"), kinematics));
     }
     if (kinematics == "beam" || kinematics == "cable") {
-        return readLine(file);
+        return readBeam(file);
     }
     return readPlaneSolid(file);
 }
 
-TimeScheme readTimeScheme(const CaseSection& section) {
+TimeIntegration readTimeScheme(const CaseSection& section) {
     const auto numberOr = [&](const char* name, double otherwise) {
         return section.has(name) ? section.number(name) : otherwise;
     };
@@ -50,11 +53,15 @@ TimeScheme readTimeScheme(const CaseSection& section) {
     }
     if (scheme == "explicit") {
         requireUsed(section, {"scheme", "step", "end"}, "scheme explicit");
-        return TimeScheme::newmark(0.25, 0.5); // not looked at
+        return CentralDifferences{};
     }
     if (scheme == "arcLength") {
         requireUsed(section, {"scheme", "step", "end", "largestSteps"}, "scheme arcLength");
-        return TimeScheme::quasiStatic();
+        EquilibriumPath path;
+        if (section.has("largestSteps")) {
+            path.maxSteps = section.integer("largestSteps");
+        }
+        return path;
     }
     if (scheme == "newmark") {
         requireUsed(section, {"scheme", "beta", "gamma", "step", "end", "smallestStep", "substeps"},
@@ -85,11 +92,6 @@ std::optional<TimeSteps> readTimeSteps(const CaseSection& section) {
     if (section.has("smallestStep")) {
         steps.smallestStep = section.number("smallestStep");
     }
-    if (section.text("scheme") == "arcLength") {
-        steps.largestPathSteps =
-            section.has("largestSteps") ? section.integer("largestSteps") : 1000;
-    }
-    steps.isExplicit = section.text("scheme") == "explicit";
     return steps;
 }
 
@@ -105,6 +107,45 @@ NewtonOptions readNewton(const CaseSection& file) {
                                             : 0.1};
 }
 
+// The name becomes one of files and a folder, and stands in XML.
+std::string readName(const CaseSection& file, const std::string& fileName) {
+    const std::string name =
+        file.has("name") ? file.text("name") : std::filesystem::path(fileName).stem().string();
+    const bool isUsable = !name.empty() && name.front() != '.' &&
+                          std::none_of(name.begin(), name.end(), [](unsigned char c) {
+                              return std::iscntrl(c) || std::strchr("/\\<>&\"'", c);
+                          });
+    if (!isUsable) {
+        throw file.error("name", fmt::format("'{}' cannot name results; take letters, digits, "
+                                             "blanks, '-', '_' and '.', not '.' first",
+                                             name));
+    }
+    return name;
+}
+
+// Names of columns: a table's columns are separated by white space.
+WatchPoint readWatchPoint(const CaseSection& section, const std::vector<WatchPoint>& earlier) {
+    WatchPoint point{section.text("name"), readCoordinates(section, "at")};
+    const bool isUsable = !point.name.empty() &&
+                          std::none_of(point.name.begin(), point.name.end(), [](unsigned char c) {
+                              return std::iscntrl(c) || std::isspace(c) || std::strchr("#[]\"", c);
+                          });
+    if (!isUsable) {
+        throw section.error("name", fmt::format("'{}' cannot name columns of a table; leave out "
+                                                "white space, '#', '\"', '[' and ']'",
+                                                point.name));
+    }
+    const bool isKnown = std::any_of(earlier.begin(), earlier.end(), [&](const WatchPoint& other) {
+        return other.name == point.name;
+    });
+    if (isKnown) {
+        throw section.error("name", fmt::format("'{}' is the name of two watch points; give each "
+                                                "its own",
+                                                point.name));
+    }
+    return point;
+}
+
 OutputOptions readOutput(const CaseSection& section, const std::string& directory) {
     OutputOptions output;
     output.directory = (std::filesystem::path(directory) / section.text("directory")).string();
@@ -115,7 +156,7 @@ OutputOptions readOutput(const CaseSection& section, const std::string& director
     output.cells = section.text("cells") == "bezier" ? CellShape::bezier : CellShape::quads;
     output.subdivision = section.integer("subdivision");
     for (const CaseSection& item : section.list("watchPoints")) {
-        output.watchPoints.push_back({item.text("name"), readCoordinates(item, "at")});
+        output.watchPoints.push_back(readWatchPoint(item, output.watchPoints));
     }
     return output;
 }
@@ -137,7 +178,7 @@ Case readCase(const CaseSection& file, const std::string& fileName) {
     const std::string directory = path.has_parent_path() ? path.parent_path().string() : ".";
     const CaseSection time = file.section("time");
     const bool isCoupled = file.has("coupling");
-    return {file.has("name") ? file.text("name") : path.stem().string(),
+    return {readName(file, fileName),
             fileName,
             directory,
             readStructure(file, directory),

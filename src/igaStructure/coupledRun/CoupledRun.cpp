@@ -192,8 +192,7 @@ void Session::record(const Answer& accepted) {
 }
 
 void requireImplicit(const Case& structureCase) {
-    if (structureCase.timeSteps &&
-        (structureCase.timeSteps->largestPathSteps > 0 || structureCase.timeSteps->isExplicit)) {
+    if (!structureCase.implicitScheme()) {
         throw InputError(structureCase.file + ": time.scheme: arcLength and explicit are for a run "
                                               "alone; choose another scheme for a coupled one");
     }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "geometry/spline/Points.hpp"
-#include "igaStructure/timeIntegration/Energies.hpp"
 #include "igaStructure/timeIntegration/MotionState.hpp"
 
 #include <cstdint>

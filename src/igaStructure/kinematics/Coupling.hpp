@@ -3,6 +3,7 @@
 
 #include "coupling/CouplingOptions.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,10 +17,11 @@ enum class TransferMethod {
 
 /// Entries of `coupling` in the case file.
 struct Coupling {
-    TransferMethod method = TransferMethod::nearestElement;
-    std::vector<std::string> interface; ///< names of the wet parts; empty: all of a thin body
-    double gapLimit;                    ///< relative to the interface's extent
-    int substeps = 1;                   ///< of the structure in a time step of the fluid
+    TransferMethod method = TransferMethod::nearestElement; ///< of displacements
+    std::optional<TransferMethod> loadMethod; ///< none: the transpose of that of displacements
+    std::vector<std::string> interface;       ///< names of the wet parts; empty: all of a thin body
+    double gapLimit;                          ///< relative to the interface's extent
+    int substeps = 1;                         ///< of the structure in a time step of the fluid
     coupling::CouplingOptions options;
 };
 

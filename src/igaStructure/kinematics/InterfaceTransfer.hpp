@@ -1,46 +1,82 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "geometry/spline/Points.hpp"
+#include "igaStructure/assembly/StructuralModel.hpp"
+#include "igaStructure/kinematics/Coupling.hpp"
+#include "mapper/Mapping.hpp"
+#include "mapper/interface/SplineInterface.hpp"
+#include "mapper/interface/SurfaceInterface.hpp"
 
-#include <Eigen/Core>
-
+#include <memory>
 #include <string>
+#include <variant>
 
 namespace tokay::structure {
 
-/// Transfer between a body and the points of a fluid's interface.
+/// The wet part of a body. Its values are those of the control points of the whole
+/// body, which is what the unknowns of a StructuralModel are.
+using WetSurface = std::variant<mapper::SplineInterface, mapper::SurfaceInterface>;
+
+/// Maps displacements of a body's control points to the fluid's points.
+/// @param isLinear  whether the body has linear strains: its sections then turn
+///                  by small angles only
+/// @throws InputError if a gap is beyond the coupling's limit
+std::unique_ptr<const mapper::Mapping> makeMapping(TransferMethod method, const WetSurface& from,
+                                                   const geometry::Points& to, double gapLimit,
+                                                   bool isLinear);
+
+/// Transfer between a body and the points of a fluid's interface: the motion of the
+/// points by the body's unknowns, its derivative, and forces on the points as forces
+/// on the unknowns.
 class InterfaceTransfer {
   public:
-    virtual ~InterfaceTransfer() = default;
+    /// @param model          is kept by reference
+    /// @param controlPoints  in the reference configuration, n x 3 [m]
+    /// @param displacements  from the control points to the fluid's points
+    /// @param loads          its transpose takes forces to the control points; none:
+    ///                       that of displacements, which keeps virtual work
+    /// @param depth          of a plane body [m]; 1 in space
+    InterfaceTransfer(const StructuralModel& model, geometry::Points controlPoints,
+                      std::unique_ptr<const mapper::Mapping> displacements,
+                      std::unique_ptr<const mapper::Mapping> loads, double depth);
 
+    /// Displacements of the fluid's points, nPoints x 3 [m].
     /// @param displacement  of the body's unknowns
-    /// @return              of the fluid's points, nPoints x 3 [m]
-    virtual geometry::Points displacements(const Eigen::VectorXd& displacement) const = 0;
+    geometry::Points displacements(const Eigen::VectorXd& displacement) const;
 
     /// Derivative of displacements() at a displacement along a variation.
-    virtual geometry::Points variation(const Eigen::VectorXd& displacement,
-                                       const Eigen::VectorXd& variation) const = 0;
+    geometry::Points variation(const Eigen::VectorXd& displacement,
+                               const Eigen::VectorXd& variation) const;
 
-    /// The transpose of the derivative of displacements() at a state, so that
-    /// virtual work is kept.
-    /// @param onPoints  nPoints x 3 [N]; a plane scene: per unit depth [N/m]
-    /// @return          on the body's unknowns, a plane body's whole depth [N]
-    virtual Eigen::VectorXd forces(const Eigen::VectorXd& displacement,
-                                   const geometry::Points& onPoints) const = 0;
+    /// Forces on the body's unknowns, a plane body's whole depth [N].
+    /// @param displacement  at which the sections of a thin body stand
+    /// @param onPoints      nPoints x 3 [N]; a plane scene: per unit depth [N/m]
+    Eigen::VectorXd forces(const Eigen::VectorXd& displacement,
+                           const geometry::Points& onPoints) const;
 
-    /// The same as forces of the control points, n x 3, per unit depth as given.
-    virtual geometry::Points controlForces(const Eigen::VectorXd& displacement,
-                                           const geometry::Points& onPoints) const = 0;
+    /// The forces of forces() on the control points, n x 3, per unit depth as given.
+    geometry::Points controlForces(const Eigen::VectorXd& displacement,
+                                   const geometry::Points& onPoints) const;
 
-    /// Where the control points are at a displacement, n x 3 [m]
-    virtual geometry::Points controlPoints(const Eigen::VectorXd& displacement) const = 0;
+    /// Positions of the control points at a displacement, n x 3 [m].
+    geometry::Points controlPoints(const Eigen::VectorXd& displacement) const {
+        return controlPoints_ + controlDisplacements(displacement);
+    }
 
-    /// Of a plane body [m]; 1 in space.
-    virtual double depth() const { return 1; }
+    /// Depth of a plane body [m]; 1 in space.
+    double depth() const { return depth_; }
 
-    /// What the mapping found, for a person.
-    virtual std::string report() const = 0;
+    /// The mappings' reports, for the log.
+    std::string report() const;
+
+  private:
+    geometry::Points controlDisplacements(const Eigen::VectorXd& unknowns) const;
+
+    const StructuralModel& model_;
+    geometry::Points controlPoints_;
+    std::unique_ptr<const mapper::Mapping> displacements_;
+    std::unique_ptr<const mapper::Mapping> loads_; ///< none: displacements_
+    double depth_;
 };
 
 } // namespace tokay::structure

@@ -6,6 +6,7 @@
 #include "igaStructure/caseFile/CaseSection.hpp"
 #include "igaStructure/kinematics/readGeometry.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -31,21 +32,33 @@ geometry::NurbsSurface readCylinder(const CaseSection& section) {
                                    degree * angles[1]);
 }
 
+constexpr double sameEdge = 1e-6; // of the size: coordinates of a file have some digits only
+
 // A patch with its edges: a closed one is joined to itself along its seam.
-geometry::BrepModel wholeSurface(const geometry::NurbsSurface& surface) {
-    constexpr double sameEdge = 1e-9; // of the size
+geometry::BrepModel wholeSurface(const geometry::NurbsSurface& surface, bool isSlit) {
     const std::vector<geometry::BrepFace> faces = {{geometry::TrimmedPatch(surface, "shell")}};
     const geometry::BrepModel alone(faces);
-    return geometry::BrepModel(faces, geometry::coincidentEdges(faces, sameEdge * alone.size()));
+    constexpr double never = -1;
+    std::vector<geometry::BrepEdge> edges =
+        geometry::coincidentEdges(faces, isSlit ? never : sameEdge * alone.size());
+    for (geometry::BrepEdge& edge : edges) {
+        edge.isFound = edge.trims.size() > 1;
+    }
+    return geometry::BrepModel(faces, std::move(edges));
 }
 
 geometry::BrepModel readUnrefined(const CaseSection& section, const std::string& directory) {
     const std::string shape =
         section.exactlyOne({"rectangle", "plate", "cylinder", "nurbs", "cadJson"});
+    const bool isSlit = section.yesNo("slit");
     if (shape != "cadJson") {
-        return wholeSurface(readSpatialSurface(section, shape));
+        return wholeSurface(readSpatialSurface(section, shape), isSlit);
     }
-    return geometry::readCadJson((std::filesystem::path(directory) / section.text(shape)).string());
+    const std::string path = (std::filesystem::path(directory) / section.text(shape)).string();
+    geometry::BrepModel model = geometry::readCadJson(path);
+    return isSlit ? model
+                  : geometry::withCoincidentEdges(
+                        model, std::max(model.tolerance(), sameEdge * model.size()));
 }
 
 } // namespace

@@ -137,6 +137,10 @@ int curveDimension(const CaseSection& file) {
     return hasZ ? 3 : 2;
 }
 
+bool isSlit(const CaseSection& file) {
+    return file.section("geometry").yesNo("slit");
+}
+
 geometry::Point readCoordinates(const CaseSection& section, const std::string& name) {
     const std::vector<double> given = section.numbers(name);
     if (given.size() != 2 && given.size() != 3) {

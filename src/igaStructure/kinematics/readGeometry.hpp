@@ -17,6 +17,9 @@ geometry::NurbsCurve readCurve(const CaseSection& file);
 /// 3 if `geometry` gives a point of its curve with a z, be it 0; else 2.
 int curveDimension(const CaseSection& file);
 
+/// Whether edges of the geometry that coincide stay open.
+bool isSlit(const CaseSection& file);
+
 /// A list of coordinates; z is 0 if not given.
 /// @throws InputError if it has not 2 or 3 values
 geometry::Point readCoordinates(const CaseSection& section, const std::string& name);
@@ -24,7 +27,7 @@ geometry::Point readCoordinates(const CaseSection& section, const std::string& n
 /// The rectangle or NURBS patch that `geometry` names, as it is.
 geometry::NurbsSurface readUnrefinedSurface(const CaseSection& geometry);
 
-/// Of a `nurbs` map: z is 0 if not given; no weights mean polynomial.
+/// Control points and weights of a `nurbs` map: z is 0 if not given; no weights mean polynomial.
 geometry::Points readControlPoints(const CaseSection& nurbs);
 Eigen::VectorXd readWeights(const CaseSection& nurbs);
 

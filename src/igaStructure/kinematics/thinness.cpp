@@ -57,6 +57,15 @@ double largestCurvature(const geometry::NurbsSurface& surface) {
     return largest;
 }
 
+std::string tooThinToBend(double slenderness) {
+    constexpr double thinnest = 1e4; // gold leaf of a hand's width is 1e6
+    return slenderness < thinnest
+               ? ""
+               : fmt::format("; its bending stiffness is {:.1g} of that against stretching: check "
+                             "the unit of the thickness, or leave bending out (membrane, cable)",
+                             1 / (12 * slenderness * slenderness));
+}
+
 std::string leftOutBending(double thickness, double stiffness, double prestress) {
     if (!(prestress > 0)) {
         return "";

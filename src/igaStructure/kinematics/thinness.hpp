@@ -11,8 +11,13 @@ namespace tokay::structure {
 /// Largest curvature in the middle of an element [1/m].
 double largestCurvature(const geometry::NurbsCurve& curve);
 
-/// Of the principal ones.
+/// Largest principal curvature in the middle of an element [1/m].
 double largestCurvature(const geometry::NurbsSurface& surface);
+
+/// Advice on a body so thin that its bending stiffness is lost beside its stretching
+/// stiffness; empty for others. For the end of a sentence.
+/// @param slenderness  size over thickness
+std::string tooThinToBend(double slenderness);
 
 /// How far from supports the bending stiffness of a membrane or cable, which the
 /// model leaves out, would matter: t sqrt(stiffness / (12 prestress)), the length

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "igaStructure/assembly/SparseMatrix.hpp"
+
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
 
 #include <vector>
 
 namespace tokay::structure {
-
-using SparseMatrix = Eigen::SparseMatrix<double>;
 
 enum class Triangles { lower, both };
 

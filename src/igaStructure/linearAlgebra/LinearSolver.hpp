@@ -2,17 +2,15 @@
 #pragma once
 
 #include "common/errors.hpp"
+#include "igaStructure/assembly/SparseMatrix.hpp"
 
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
 
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace tokay::structure {
-
-using SparseMatrix = Eigen::SparseMatrix<double>;
 
 /// The matrix is not positive definite.
 class NotPositiveDefinite : public SolverError {
@@ -44,7 +42,7 @@ class LinearSolver {
     /// Solution for a right-hand side; fixed unknowns are zero in it.
     /// Needs a factorisation.
     Eigen::VectorXd solve(const Eigen::VectorXd& rightHandSide) { return solveAll(rightHandSide); }
-    /// The same for several right-hand sides, a column each.
+    /// Solutions for several right-hand sides, a column each.
     virtual Eigen::MatrixXd solveAll(const Eigen::MatrixXd& rightHandSides) = 0;
 
     virtual int nFree() const = 0;
@@ -52,7 +50,7 @@ class LinearSolver {
     virtual double nFactorEntries() const = 0;
     /// Memory of the factors and of their matrix [bytes].
     virtual double bytes() const = 0;
-    /// Of the library that factors.
+    /// Name of the solver library, for the log.
     virtual std::string name() const = 0;
 };
 

@@ -8,7 +8,7 @@ namespace tokay::structure {
 /// Path of the library that does the dense products: OpenBLAS or a slower one.
 std::string blasLibrary();
 
-/// Whether OpenBLAS knows this processor, if it is the library: else it takes the
+/// True if OpenBLAS knows this processor, if it is the library: else it takes the
 /// kernels of the first ones with 64 bits, which are several times slower.
 bool blasKnowsProcessor();
 

@@ -8,10 +8,10 @@ namespace tokay::structure {
 namespace {
 
 // A grid of (nU + 1) x (nV + 1) points on each element, xi fastest.
-std::vector<Place> gridPoints(const geometry::NurbsSurface& surface, int nU, int nV, int patch) {
+std::vector<Location> gridPoints(const geometry::NurbsSurface& surface, int nU, int nV, int patch) {
     const std::vector<double>& xi = surface.u().breakpoints();
     const std::vector<double>& eta = surface.v().breakpoints();
-    std::vector<Place> points;
+    std::vector<Location> points;
     for (std::size_t spanV = 0; spanV + 1 < eta.size(); ++spanV) {
         for (std::size_t spanU = 0; spanU + 1 < xi.size(); ++spanU) {
             for (int j = 0; j <= nV; ++j) {
@@ -119,13 +119,14 @@ VtuMesh bezierMesh(const geometry::NurbsSurface& surface, int patch) {
         const geometry::NurbsSurface denominator(
             surface.u(), surface.v(),
             geometry::Points(surface.weights() * Eigen::RowVector3d(1, 0, 0)));
-        mesh.setDenominators(
-            [&](const Place& place) { return denominator.point(place.xi, place.eta)[0]; });
+        mesh.setDenominators([&](const Location& location) {
+            return denominator.point(location.xi, location.eta)[0];
+        });
     }
     return mesh;
 }
 
-void VtuMesh::setDenominators(const std::function<double(const Place&)>& denominator) {
+void VtuMesh::setDenominators(const std::function<double(const Location&)>& denominator) {
     Eigen::MatrixXd values(1, points.size());
     for (std::size_t k = 0; k < points.size(); ++k) {
         values(0, k) = denominator(points[k]);

@@ -3,7 +3,7 @@
 
 #include "common/VtuFile.hpp"
 #include "geometry/spline/NurbsSurface.hpp"
-#include "igaStructure/output/Place.hpp"
+#include "igaStructure/output/Location.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -11,11 +11,11 @@
 
 namespace tokay::structure {
 
-/// Cells of one kind of a .vtu file, and the places of a body where its points lie.
+/// Cells of one kind of a .vtu file, and the locations of a body where its points lie.
 struct VtuMesh {
-    std::vector<Place> points; ///< where fields are evaluated
+    std::vector<Location> points; ///< where fields are evaluated
     std::vector<std::int64_t> connectivity;
-    int cellSize = 4; ///< points a cell
+    int cellSize = 4; ///< points per cell
     VtkCell cellType = VtkCell::quadrilateral;
 
     /// Bezier cells only: degrees of each cell; weight of each control point;
@@ -30,7 +30,7 @@ struct VtuMesh {
     Eigen::MatrixXd toBernsteinZeta = Eigen::MatrixXd::Ones(1, 1);
 
     /// Sets weights and denominators from the rational functions' denominator.
-    void setDenominators(const std::function<double(const Place&)>& denominator);
+    void setDenominators(const std::function<double(const Location&)>& denominator);
 
     bool isBezier() const { return degrees[0] > 0; }
 };
@@ -43,7 +43,7 @@ VtuMesh quadMesh(const geometry::NurbsSurface& surface, int subdivision, int pat
 /// fields of the patch's own basis, interpolating for others.
 VtuMesh bezierMesh(const geometry::NurbsSurface& surface, int patch = 0);
 
-/// What the file says at a mesh's points: the values of a field, or for Bezier
+/// Values that the file has at a mesh's points: those of a field, or for Bezier
 /// cells its control values.
 /// @param values  a column a point
 Eigen::MatrixXd fileValues(const VtuMesh& mesh, const Eigen::MatrixXd& values);

@@ -64,7 +64,8 @@ VtuMesh bezierMesh(const geometry::NurbsCurve& curve) {
     if (curve.isRational()) {
         const geometry::NurbsCurve denominator(
             curve.knotVector(), geometry::Points(curve.weights() * Eigen::RowVector3d(1, 0, 0)));
-        mesh.setDenominators([&](const Place& place) { return denominator.point(place.xi)[0]; });
+        mesh.setDenominators(
+            [&](const Location& location) { return denominator.point(location.xi)[0]; });
     }
     return mesh;
 }

@@ -10,14 +10,14 @@ namespace tokay::structure {
 namespace {
 
 // Grid of (n + 1) x (m + 1) x (l + 1) points on each element, xi fastest.
-std::vector<Place> gridPoints(const geometry::NurbsVolume& volume, const Eigen::Vector3i& n) {
+std::vector<Location> gridPoints(const geometry::NurbsVolume& volume, const Eigen::Vector3i& n) {
     const auto parameter = [&](int axis, int span, int i) {
         const std::vector<double>& breakpoints = volume.direction(axis).breakpoints();
         return breakpoints[span] + (breakpoints[span + 1] - breakpoints[span]) * i / n[axis];
     };
     const Eigen::Vector3i nSpans(volume.u().nSpans(), volume.v().nSpans(), volume.w().nSpans());
     const Eigen::Vector3i nPoints = n.array() + 1;
-    std::vector<Place> points;
+    std::vector<Location> points;
     for (int element = 0; element < nSpans.prod(); ++element) {
         const int spanU = element % nSpans[0];
         const int spanV = element / nSpans[0] % nSpans[1];
@@ -120,8 +120,8 @@ VtuMesh bezierMesh(const geometry::NurbsVolume& volume) {
         const geometry::NurbsVolume denominator(
             volume.u(), volume.v(), volume.w(),
             geometry::Points(volume.weights() * Eigen::RowVector3d(1, 0, 0)));
-        mesh.setDenominators([&](const Place& place) {
-            return denominator.point({place.xi, place.eta, place.zeta})[0];
+        mesh.setDenominators([&](const Location& location) {
+            return denominator.point({location.xi, location.eta, location.zeta})[0];
         });
     }
     return mesh;

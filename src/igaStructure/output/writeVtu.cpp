@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/output/writeVtu.hpp"
 
-#include "common/VtuFile.hpp"
-
 namespace tokay::structure {
 
 namespace {

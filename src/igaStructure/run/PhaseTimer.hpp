@@ -6,7 +6,7 @@
 
 namespace tokay::structure {
 
-/// What a time step's seconds are spent on.
+/// Phases of a time step, for timing.
 enum class Phase { waiting, mapping, solving, acceleration, output };
 
 /// Seconds of each phase since the last reset.

@@ -2,17 +2,17 @@
 #include "igaStructure/run/ResultSeries.hpp"
 
 #include "igaStructure/output/writeVtu.hpp"
-#include "igaStructure/run/chosenFields.hpp"
 
 #include <fmt/format.h>
 
+#include <cassert>
 #include <cmath>
 
 namespace tokay::structure {
 
 ResultSeries::ResultSeries(const Body& body, const OutputOptions& options, std::string name,
                            const MotionState& start)
-    : body_(body), directory_(options.directory), fields_(chosenFields(body, options)),
+    : body_(body), directory_(options.directory), fields_(body.fields(options.fields)),
       name_(std::move(name)), meshes_(body.meshes(options)), start_(start) {}
 
 void ResultSeries::continueEarlier() {
@@ -45,8 +45,9 @@ void ResultSeries::addFile(const MotionState& state) {
                        body_.positions(mesh.points) +
                            body_.displacements(state.displacement, mesh.points),
                        {}};
-        for (const std::string& field : fields_) {
-            piece.fields.push_back({field, body_.field(field, state, mesh.points)});
+        for (const BodyField& field : fields_) {
+            piece.fields.push_back({field.name, field.evaluate(state, mesh.points)});
+            assert(piece.fields.back().values.rows() == field.nComponents);
         }
         pieces.push_back(std::move(piece));
     }

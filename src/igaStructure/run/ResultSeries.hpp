@@ -33,7 +33,7 @@ class ResultSeries {
 
     const Body& body_;
     std::string directory_;
-    std::vector<std::string> fields_;
+    std::vector<BodyField> fields_;
     std::string name_;
     std::vector<VtuMesh> meshes_;
     std::optional<MotionState> start_; ///< until written

@@ -9,7 +9,7 @@ namespace tokay::structure {
 /// Takes one or more lines of text for the log.
 using Report = std::function<void(const std::string&)>;
 
-/// What the log and iterations.dat say about an accepted time step.
+/// Record of an accepted time step, for the log and iterations.dat.
 struct StepReport {
     int step = 0;
     int nExchanges = 0;       ///< with the fluid; 0: run alone

@@ -22,7 +22,7 @@ Watch::Watch(const Body& body, const std::vector<WatchPoint>& points) : body_(bo
     for (const WatchPoint& point : points) {
         const Body::Closest found = body.closest(point.at);
         if (found.distance > watchTolerance * body.model().size()) {
-            const Eigen::VectorXd nearest = body.positions({found.place}).col(0);
+            const Eigen::VectorXd nearest = body.positions({found.location}).col(0);
             throw InputError(fmt::format("output.watchPoints: '{}' at [{}] lies {:.4g} m "
                                          "outside the body; its nearest point is [{}]",
                                          point.name, coordinates(point.at.head(body.dimension())),
@@ -30,7 +30,7 @@ Watch::Watch(const Body& body, const std::vector<WatchPoint>& points) : body_(bo
                                          coordinates(nearest.head(body.dimension()))));
         }
         names_.push_back(point.name);
-        places_.push_back(found.place);
+        locations_.push_back(found.location);
     }
 }
 
@@ -45,7 +45,7 @@ std::vector<std::string> Watch::columns() const {
 }
 
 std::vector<double> Watch::values(const Eigen::VectorXd& displacement) const {
-    const Eigen::MatrixXd all = body_.displacements(displacement, places_);
+    const Eigen::MatrixXd all = body_.displacements(displacement, locations_);
     std::vector<double> values;
     for (Eigen::Index k = 0; k < all.cols(); ++k) {
         values.insert(values.end(), all.col(k).data(), all.col(k).data() + body_.dimension());
@@ -57,7 +57,7 @@ std::string Watch::text(const Eigen::VectorXd& displacement) const {
     if (isEmpty()) {
         return "";
     }
-    const Eigen::VectorXd u = body_.displacements(displacement, {places_[0]}).col(0);
+    const Eigen::VectorXd u = body_.displacements(displacement, {locations_[0]}).col(0);
     return fmt::format("{} ({}) m", names_[0], coordinates(u.head(body_.dimension())));
 }
 

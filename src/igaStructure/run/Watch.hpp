@@ -26,7 +26,7 @@ class Watch {
   private:
     const Body& body_;
     std::vector<std::string> names_;
-    std::vector<Place> places_;
+    std::vector<Location> locations_;
 };
 
 } // namespace tokay::structure

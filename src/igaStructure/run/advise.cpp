@@ -3,6 +3,7 @@
 
 #include "common/errors.hpp"
 #include "igaStructure/linearAlgebra/SparseLu.hpp"
+#include "igaStructure/timeIntegration/TimeIntegrator.hpp"
 #include "igaStructure/timeIntegration/naturalModes.hpp"
 
 #include <fmt/format.h>
@@ -25,8 +26,8 @@ constexpr double largeDisplacement = 0.05;
 // linear strains say by the order of the square.
 constexpr double largeDeflection = 0.5;
 
-// Of the lowest modes, ascending: three of them, fewer if the structure has fewer [rad/s].
-VectorXd lowestFrequencies(const StructuralModel& model) {
+// The lowest modes: three of them, fewer if the structure has fewer.
+NaturalModes lowestModes(const StructuralModel& model) {
     const std::vector<bool>& fixed = model.fixed();
     const auto nFree = std::count(fixed.begin(), fixed.end(), false);
     if (nFree == 0) {
@@ -34,13 +35,45 @@ VectorXd lowestFrequencies(const StructuralModel& model) {
     }
     if (nFree > 1) { // an iteration finds fewer modes than unknowns
         const auto count = static_cast<int>(std::min<std::ptrdiff_t>(3, nFree - 1));
-        return naturalModes(model, count).angularFrequencies;
+        return naturalModes(model, count);
     }
     const auto k = std::find(fixed.begin(), fixed.end(), false) - fixed.begin();
     SparseMatrix stiffness;
     model.internalForce(VectorXd::Zero(model.nUnknowns()), stiffness);
     const double square = stiffness.coeff(k, k) / model.massMatrix().coeff(k, k);
-    return VectorXd::Constant(1, std::sqrt(std::max(0.0, square)));
+    return {VectorXd::Constant(1, std::sqrt(std::max(0.0, square))),
+            VectorXd::Unit(model.nUnknowns(), k)};
+}
+
+// How many times stiffer than at rest the structure is against its slowest motion when
+// this has moved it by a distance.
+double stiffening(StructuralModel& model, const VectorXd& shape, double distance) {
+    SparseMatrix stiffness;
+    model.internalForce(VectorXd::Zero(model.nUnknowns()), stiffness);
+    const VectorXd linear = distance / shape.lpNorm<Eigen::Infinity>() * shape;
+    constexpr double time = 1;
+    TimeIntegrator integrator(model, TimeScheme::quasiStatic(), NewtonOptions(), time);
+    const VectorXd force = stiffness * linear - model.externalForce(time);
+    integrator.beginTimeStep(time, time);
+    return linear.norm() / integrator.solve(force).norm();
+}
+
+// Natural periods are those of small motions about the unloaded state. A thin body whose
+// edges cannot approach each other is stretched as it bends, and soon has others.
+std::string adviseStiffening(Body& body, const NaturalModes& modes) {
+    if (body.model().isLinear() || modes.shapes.cols() == 0) {
+        return "";
+    }
+    constexpr double much = 1.2;
+    const double distance = body.thickness();
+    const double factor = stiffening(body.model(), modes.shapes.col(0), distance);
+    return factor < much
+               ? ""
+               : fmt::format("advice: these are the periods of the unloaded structure, which is "
+                             "stretched as it bends: moved by its thickness of {:g} m it is {:.2g} "
+                             "times as stiff against its slowest motion, farther out by the square "
+                             "of the distance: periods and stiffness at rest then say little\n",
+                             distance, factor);
 }
 
 template <class Function>
@@ -60,8 +93,8 @@ std::string adviseStep(const Case& structureCase, const VectorXd& frequencies) {
     std::string text =
         fmt::format("advice: the lowest natural periods are {}",
                     listOf(periods, [](double T) { return fmt::format("{:.4g} s", T); }));
-    if (!structureCase.timeSteps || !structureCase.timeScheme.dynamic ||
-        structureCase.timeSteps->isExplicit) {
+    const TimeScheme* scheme = structureCase.implicitScheme();
+    if (!structureCase.timeSteps || !scheme || !scheme->dynamic) {
         return text + fmt::format("; a dynamic run resolves them with steps below {}\n",
                                   listOf(periods / fewSteps,
                                          [](double dt) { return fmt::format("{:.2g} s", dt); }));
@@ -138,28 +171,30 @@ std::string adviseCoupling(const Case& structureCase, const Body& body,
     if (isStiff) {
         text += fmt::format(", and in its slowest motion a stiffness of {:.4g} Pa/m", stiffness);
     }
-    const TimeScheme& scheme = structureCase.timeScheme;
-    if (!scheme.dynamic) {
+    if (!structureCase.isDynamic()) {
         // A force proportional to the acceleration, as differences of displacements see it.
         constexpr double water = 1000;
         return !isStiff ? ""
                         : text + fmt::format("; without its mass, water (1000 kg/m^3) on both "
-                                             "sides resists as much in time steps of {:.2g} s: "
-                                             "explicit coupling needs much larger ones\n",
-                                             std::sqrt(layers * water / stiffness));
+                                             "sides resists as much in time steps of {:.2g} s, on "
+                                             "one side of {:.2g} s: explicit coupling needs much "
+                                             "larger ones\n",
+                                             std::sqrt(layers * water / stiffness),
+                                             std::sqrt(0.5 * layers * water / stiffness));
     }
     double resistance = mass;
-    if (isStiff && structureCase.timeSteps) {
+    const TimeScheme* scheme = structureCase.implicitScheme();
+    if (isStiff && structureCase.timeSteps && scheme) {
         const double step = structureCase.timeSteps->step;
-        const double ofStiffness = scheme.beta * step * step * stiffness;
+        const double ofStiffness = scheme->beta * step * step * stiffness;
         resistance += ofStiffness;
         text += fmt::format(", which in a time step of {:g} s resists as {:.2g} kg/m^2 do", step,
                             ofStiffness);
     }
-    return text + fmt::format("; a fluid of {:.3g} kg/m^3 on both sides adds as much to its "
-                              "slowest motion: explicit coupling needs a fluid much lighter than "
-                              "that\n",
-                              resistance / layers);
+    return text + fmt::format("; a fluid of {:.3g} kg/m^3 on both sides, or of {:.3g} kg/m^3 on "
+                              "one, adds as much to its slowest motion: explicit coupling needs a "
+                              "fluid much lighter than that\n",
+                              resistance / layers, 2 * resistance / layers);
 }
 
 } // namespace
@@ -169,17 +204,18 @@ std::string advise(const Case& structureCase, Body& body) {
     for (const std::string& line : body.advice()) {
         text += "advice: " + line + "\n";
     }
-    VectorXd frequencies;
+    NaturalModes modes;
     if (body.model().freeRigidMotions().empty()) {
         try {
             text += adviseStrains(structureCase, body);
-            frequencies = lowestFrequencies(body.model());
-            text += adviseStep(structureCase, frequencies);
+            modes = lowestModes(body.model());
+            text += adviseStep(structureCase, modes.angularFrequencies);
+            text += adviseStiffening(body, modes);
         } catch (const SolverError& error) {
             text += fmt::format("advice: no estimate of stiffness: {}\n", error.what());
         }
     }
-    return text + adviseCoupling(structureCase, body, frequencies);
+    return text + adviseCoupling(structureCase, body, modes.angularFrequencies);
 }
 
 } // namespace tokay::structure

@@ -8,8 +8,8 @@
 
 namespace tokay::structure {
 
-/// What looks doubtful in a case's choice of model and numbers, each with the
-/// estimate behind it, for a person: lines that begin with "advice: ". It needs a
+/// Advice on a case's choice of model and numbers, each with the estimate behind
+/// it, for the log: lines that begin with "advice: ". It needs a
 /// factorisation and the three lowest natural modes.
 std::string advise(const Case& structureCase, Body& body);
 

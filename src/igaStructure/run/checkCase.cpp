@@ -6,9 +6,9 @@
 #include "igaStructure/linearAlgebra/blas.hpp"
 #include "igaStructure/run/Watch.hpp"
 #include "igaStructure/run/advise.hpp"
-#include "igaStructure/run/chosenFields.hpp"
 #include "igaStructure/run/describeModel.hpp"
 #include "igaStructure/run/requireSupports.hpp"
+#include "igaStructure/timeIntegration/ExplicitIntegrator.hpp"
 #include "igaStructure/timeIntegration/TimeIntegrator.hpp"
 
 #include <fmt/format.h>
@@ -16,6 +16,21 @@
 namespace tokay::structure {
 
 namespace {
+
+std::string describeSolver(const Case& structureCase, StructuralModel& model) {
+    if (std::holds_alternative<CentralDifferences>(structureCase.timeScheme)) {
+        ExplicitIntegrator integrator(model, 0);
+        return fmt::format("  explicit: stable step about {:.3g} s\n",
+                           integrator.stableStep(integrator.state().displacement));
+    }
+    const TimeScheme* scheme = structureCase.implicitScheme();
+    const TimeIntegrator integrator(model, scheme ? *scheme : TimeScheme::quasiStatic(),
+                                    structureCase.newton, 0);
+    return fmt::format("  memory: {:.3g} MB for matrices, {:.3g} million entries in the factor\n"
+                       "  linear algebra: {} on {}\n",
+                       integrator.bytes() / 1e6, integrator.solver().nFactorEntries() / 1e6,
+                       integrator.solver().name(), blasLibrary());
+}
 
 std::string describeUse(const Case& structureCase) {
     std::string text;
@@ -58,14 +73,9 @@ std::string warnings(const Case& structureCase, const Body& body) {
 std::string checkCase(const Case& structureCase) {
     const std::unique_ptr<Body> body = makeBody(structureCase);
     const Watch watch(*body, structureCase.output.watchPoints);
-    chosenFields(*body, structureCase.output);
+    body->fields(structureCase.output.fields);
     requireSupports(structureCase, body->model());
-    const TimeIntegrator integrator(body->model(), structureCase.timeScheme, structureCase.newton,
-                                    0);
-    return describeModel(structureCase, *body) +
-           fmt::format("  memory: {:.3g} MB for matrices, {:.3g} million entries in the factor\n",
-                       integrator.bytes() / 1e6, integrator.solver().nFactorEntries() / 1e6) +
-           fmt::format("  linear algebra: {} on {}\n", integrator.solver().name(), blasLibrary()) +
+    return describeModel(structureCase, *body) + describeSolver(structureCase, body->model()) +
            describeUse(structureCase) + warnings(structureCase, *body) +
            advise(structureCase, *body);
 }

@@ -7,8 +7,8 @@
 
 namespace tokay::structure {
 
-/// What a case would model and need, and what looks doubtful in it; several
-/// lines for a person. Nothing is run or written.
+/// Description of the model of a case, its cost, and advice; several lines for the
+/// log. Nothing is run or written.
 /// @throws InputError for what would stop a run at its start
 std::string checkCase(const Case& structureCase);
 

@@ -9,16 +9,19 @@ namespace tokay::structure {
 
 namespace {
 
-std::string describeScheme(const Case& structureCase) {
-    const TimeScheme& scheme = structureCase.timeScheme;
-    if (structureCase.timeSteps && structureCase.timeSteps->isExplicit) {
-        return "explicit, central differences, lumped mass";
-    }
-    if (!scheme.dynamic) {
-        return "static";
-    }
-    return fmt::format("implicit, alphaM {:.4g}, alphaF {:.4g}, beta {:.4g}, gamma {:.4g}",
-                       scheme.alphaM, scheme.alphaF, scheme.beta, scheme.gamma);
+std::string describe(const TimeScheme& scheme) {
+    return scheme.dynamic
+               ? fmt::format("implicit, alphaM {:.4g}, alphaF {:.4g}, beta {:.4g}, gamma {:.4g}",
+                             scheme.alphaM, scheme.alphaF, scheme.beta, scheme.gamma)
+               : "static";
+}
+
+std::string describe(const CentralDifferences&) {
+    return "explicit, central differences, lumped mass";
+}
+
+std::string describe(const EquilibriumPath& path) {
+    return fmt::format("static, arc length, at most {} steps", path.maxSteps);
 }
 
 } // namespace
@@ -26,15 +29,15 @@ std::string describeScheme(const Case& structureCase) {
 std::string describeModel(const Case& structureCase, const Body& body) {
     const StructuralModel& model = body.model();
     const std::vector<bool>& fixed = model.fixed();
-    return fmt::format("structure: {} ({})\n"
-                       "{}"
-                       "  {} unknowns, {} of them fixed\n"
-                       "  Rayleigh damping: mass {:g} 1/s, stiffness {:g} s\n"
-                       "  time: {}\n",
-                       structureCase.name, structureCase.file, body.description(),
-                       model.nUnknowns(), std::count(fixed.begin(), fixed.end(), true),
-                       model.massDamping(), model.stiffnessDamping(),
-                       describeScheme(structureCase));
+    return fmt::format(
+        "structure: {} ({})\n"
+        "{}"
+        "  {} unknowns, {} of them fixed\n"
+        "  Rayleigh damping: mass {:g} 1/s, stiffness {:g} s\n"
+        "  time: {}\n",
+        structureCase.name, structureCase.file, body.description(), model.nUnknowns(),
+        std::count(fixed.begin(), fixed.end(), true), model.massDamping(), model.stiffnessDamping(),
+        std::visit([](const auto& scheme) { return describe(scheme); }, structureCase.timeScheme));
 }
 
 } // namespace tokay::structure

@@ -6,7 +6,7 @@
 
 namespace tokay::structure {
 
-/// What will be modelled, for a person: several lines.
+/// Description of the model of a case, for the log: several lines.
 std::string describeModel(const Case& structureCase, const Body& body);
 
 } // namespace tokay::structure

@@ -6,8 +6,9 @@
 
 namespace tokay::structure {
 
-/// A static analysis needs them against every rigid motion.
-/// @throws InputError that names the free ones
+/// Refuses a model with parts that nothing connects, and a static analysis whose
+/// supports leave a rigid motion free.
+/// @throws InputError that names them
 void requireSupports(const Case& structureCase, const StructuralModel& model);
 
 } // namespace tokay::structure

@@ -3,8 +3,8 @@
 
 #include "igaStructure/assembly/StructuralModel.hpp"
 #include "igaStructure/linearAlgebra/LinearSolver.hpp"
-#include "igaStructure/timeIntegration/MotionState.hpp"
 #include "igaStructure/timeIntegration/NewtonOptions.hpp"
+#include "igaStructure/timeIntegration/Stepper.hpp"
 
 namespace tokay::structure {
 
@@ -14,7 +14,7 @@ namespace tokay::structure {
 /// there the path goes on in the direction in which it came.
 /// Source: Crisfield 1981 (cylindrical arc length), the constraint linearised
 /// in each iteration
-class ArcLength {
+class ArcLength : public Stepper {
   public:
     /// Starts undeformed at time 0.
     /// @param model      is kept by reference
@@ -25,15 +25,16 @@ class ArcLength {
     /// grows again while it converges fast, up to the first one's length.
     /// @throws SolverError if it fails with a length of 1/1024 of the first one
     void advance();
+    StepEffort advance(double /*time*/, double /*deltaT*/) override {
+        advance();
+        return {nIterations_, residual_};
+    }
 
-    /// Path so far; velocity and acceleration are zero.
-    const MotionState& state() const { return state_; }
-    /// Of the last step.
-    int nIterations() const { return nIterations_; }
-    double residual() const { return residual_; }
-    /// [J]
-    double strainEnergy() const { return model_.strainEnergy(state_.displacement); }
-    double externalWork() const { return externalWork_; }
+    /// End of the path so far; velocity and acceleration are zero.
+    const MotionState& state() const override { return state_; }
+    Energies energies() const override {
+        return {0, model_.strainEnergy(state_.displacement), externalWork_, 0};
+    }
 
   private:
     struct Iterate {

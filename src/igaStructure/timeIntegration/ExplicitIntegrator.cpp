@@ -80,13 +80,13 @@ void ExplicitIntegrator::advancePart(double time, double deltaT) {
     state_.velocity = middle + 0.5 * deltaT * state_.acceleration;
 }
 
-void ExplicitIntegrator::advance(double time) {
+StepEffort ExplicitIntegrator::advance(double time, double /*deltaT*/) {
     const double start = state_.time;
     const double limit = safety * stableStep(state_.displacement);
-    nParts_ = static_cast<int>(std::ceil((time - start) / limit * (1 - 1e-12)));
-    const double deltaT = (time - start) / nParts_;
-    for (int part = 1; part <= nParts_; ++part) {
-        advancePart(part == nParts_ ? time : start + part * deltaT, deltaT);
+    const auto nParts = static_cast<int>(std::ceil((time - start) / limit * (1 - 1e-12)));
+    const double part = (time - start) / nParts;
+    for (int k = 1; k <= nParts; ++k) {
+        advancePart(k == nParts ? time : start + k * part, part);
     }
     state_.force = model_.externalForce(time);
     energies_.kinetic = 0.5 * state_.velocity.dot(mass_ * state_.velocity);
@@ -95,8 +95,9 @@ void ExplicitIntegrator::advance(double time) {
         throw SolverError(fmt::format("time {:.6g} s: the motion is not finite, in {} parts of "
                                       "{:.3g} s each; use a smaller time.step, so that the stable "
                                       "step is estimated more often",
-                                      time, nParts_, deltaT));
+                                      time, nParts, part));
     }
+    return {nParts, 0};
 }
 
 } // namespace tokay::structure

@@ -3,8 +3,7 @@
 
 #include "igaStructure/assembly/StructuralModel.hpp"
 #include "igaStructure/linearAlgebra/SparseCholesky.hpp"
-#include "igaStructure/timeIntegration/Energies.hpp"
-#include "igaStructure/timeIntegration/MotionState.hpp"
+#include "igaStructure/timeIntegration/Stepper.hpp"
 
 namespace tokay::structure {
 
@@ -15,9 +14,9 @@ namespace tokay::structure {
 ///
 /// Mass damping is taken at the middle of a part; stiffness damping, which would
 /// lower the limit further, is refused.
-class ExplicitIntegrator {
+class ExplicitIntegrator : public Stepper {
   public:
-    /// Share of the stable step that is used: the tangent stiffens on the way.
+    /// Fraction of the stable step that is used: the tangent stiffens on the way.
     static constexpr double safety = 0.9;
 
     /// Starts at rest, undeformed.
@@ -25,15 +24,12 @@ class ExplicitIntegrator {
     /// @throws InputError if the model has stiffness damping
     ExplicitIntegrator(StructuralModel& model, double startTime);
 
-    /// @param time    at the end of the step [s]
     /// @throws SolverError if the motion grows beyond all bounds
-    void advance(double time);
+    StepEffort advance(double time, double deltaT) override;
 
-    /// Velocity at the state's time.
-    const MotionState& state() const { return state_; }
-    const Energies& energies() const { return energies_; }
-    /// Of the last step.
-    int nParts() const { return nParts_; }
+    /// Displacement and velocity belong to the same time.
+    const MotionState& state() const override { return state_; }
+    Energies energies() const override { return energies_; }
 
     /// Largest stable step at a state [s].
     double stableStep(const Eigen::VectorXd& displacement);
@@ -50,7 +46,6 @@ class ExplicitIntegrator {
     Eigen::VectorXd totalForce_; ///< followers included
     Eigen::VectorXd vibration_;  ///< of the highest frequency, from the last estimate
     Energies energies_;
-    int nParts_ = 0;
 };
 
 } // namespace tokay::structure

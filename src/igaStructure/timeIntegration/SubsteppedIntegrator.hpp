@@ -26,7 +26,7 @@ namespace tokay::structure {
 /// Each solution takes all steps anew, from the accepted state.
 class SubsteppedIntegrator {
   public:
-    /// As TimeIntegrator.
+    /// Starts as TimeIntegrator does.
     /// @param scheme      dynamic, if there are several steps
     /// @param nSubsteps   in a time step; 1: TimeIntegrator itself
     SubsteppedIntegrator(StructuralModel& model, const TimeScheme& scheme,
@@ -55,9 +55,9 @@ class SubsteppedIntegrator {
 
     /// Accepted state; its force is that at its time, not a mean.
     const MotionState& state() const { return isUnderWay_ ? start_ : integrator_.state(); }
-    /// Of the last solve.
+    /// Displacement found by the last solve() [m].
     const Eigen::VectorXd& displacement() const { return integrator_.displacement(); }
-    /// Of the accepted state, when no step is under way.
+    /// Energies of the accepted state, when no step is under way.
     const Energies& energies() const { return integrator_.energies(); }
     /// Newton iterations of the last solve, in all steps; 1 a step for a linear structure.
     int nIterations() const { return nIterations_; }
@@ -80,7 +80,7 @@ class SubsteppedIntegrator {
     Eigen::VectorXd halfChange_; ///< half of what the last iterate's force differs by [N]
     double time_ = 0;            ///< at the end
     double deltaT_ = 0;
-    /// Of each step in the last solve; empty where there is none yet
+    /// Displacement of each step in the last solve; empty before the first
     std::vector<Eigen::VectorXd> iterates_;
     int nIterations_ = 0;
 };

@@ -3,7 +3,6 @@
 
 #include "igaStructure/assembly/StructuralModel.hpp"
 #include "igaStructure/linearAlgebra/LinearSolver.hpp"
-#include "igaStructure/timeIntegration/Energies.hpp"
 #include "igaStructure/timeIntegration/MotionState.hpp"
 #include "igaStructure/timeIntegration/NewtonOptions.hpp"
 #include "igaStructure/timeIntegration/TimeScheme.hpp"
@@ -77,7 +76,7 @@ class TimeIntegrator {
 
     /// Accepted state.
     const MotionState& state() const { return state_; }
-    /// Of the last solve.
+    /// Displacement found by the last solve() [m].
     const Eigen::VectorXd& displacement() const { return displacement_; }
     const Energies& energies() const { return energies_; }
 

@@ -30,16 +30,9 @@ class OffsetMapping : public Mapping {
     OffsetMapping(const SurfaceInterface& middle, const Points& to,
                   const GapLimit& gapLimit = {0.1, true});
 
-    /// Displacements of the points, however large.
-    /// @param displacements  of the control points, nFrom x 3 [m]
-    Points moved(const Points& displacements) const;
-
-    /// Derivative of moved() at a state along a variation, both nFrom x 3.
-    Points variation(const Points& displacements, const Points& variation) const;
-
-    /// The transpose of variation(): forces on the control points.
-    /// @param forces  on the points, nTo x 3 [N]
-    Points forces(const Points& displacements, const Points& forces) const;
+    Points moved(const Points& displacements) const override;
+    Points variation(const Points& displacements, const Points& variation) const override;
+    Points forces(const Points& displacements, const Points& forces) const override;
 
     /// Distance of each point along the normal, with sign [m].
     Eigen::VectorXd offsets() const;

@@ -102,4 +102,10 @@ TEST(KnotVector, refusesADegreeBeyondTheLimit) {
     expectInputError([] { KnotVector::uniform(KnotVector::maxDegree + 1, 2); }, {"31", "30"});
 }
 
+TEST(KnotVector, rangeWithoutAFiniteInverseIsRefused) {
+    EXPECT_THROW(KnotVector(1, {0, 0, 1e-320, 1e-320}), InputError);
+    EXPECT_THROW(KnotVector(1, {-1e308, -1e308, 1e308, 1e308}), InputError);
+    EXPECT_NO_THROW(KnotVector(1, {0, 0, 1e-100, 1e-100}));
+}
+
 } // namespace tokay::geometry

@@ -192,3 +192,30 @@ TEST(BadInput, Poissons_ratio_is_wanted_but_of_an_incompressible_material) {
                                 "incompressibleNeoHookean, youngsModulus: 1e6")),
               "no error");
 }
+
+TEST(BadInput, namesThatLeaveTheResultsFolderOrBreakAFileAreRefused) {
+    for (const char* name : {"../x", "a/b", ".hidden", "a<b", "\"a\\tb\""}) {
+        EXPECT_THAT(mistake("name: " + std::string(name) + "\n" + exampleText()),
+                    AllOf(HasSubstr("case.yaml:1:7: name: "), HasSubstr("cannot name results")))
+            << name;
+    }
+    EXPECT_EQ(mistake("name: flap-2 b_3.4\n" + exampleText()), "no error");
+}
+
+TEST(BadInput, watchPointNamesThatBreakATableAreRefused) {
+    for (const char* name : {"my tip", "a#b", "tip[m]", "\"a\\nb\""}) {
+        EXPECT_THAT(mistake(exampleText("{name: tip", "{name: " + std::string(name))),
+                    AllOf(HasSubstr("name: "), HasSubstr("cannot name columns of a table")))
+            << name;
+    }
+    EXPECT_THAT(mistake(exampleText("    - {name: tip, at: [0, 1]}\n",
+                                    "    - {name: tip, at: [0, 1]}\n"
+                                    "    - {name: tip, at: [0, 0.5]}\n")),
+                HasSubstr("case.yaml:25:14: output.watchPoints[1].name: 'tip' is the name of two"));
+}
+
+TEST(BadInput, closedBeamIsToldThatItIsNotJoined) {
+    EXPECT_THAT(mistake(beamText("nurbs: {degree: [2], knotsXi: [0, 0, 0, 1, 2, 2, 2], "
+                                 "controlPoints: [[0, 0], [2, 0], [0, 2], [0, 0]]}")),
+                AllOf(HasSubstr("case.yaml:1:1: geometry: "), HasSubstr("a beam is not joined")));
+}

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/ScriptedFluid.hpp"
 #include "igaStructure/coupledRun/interfaceBalance.hpp"
-#include "igaStructure/kinematics/beam/LineBody.hpp"
-#include "igaStructure/kinematics/beam/exampleLine.hpp"
+#include "igaStructure/kinematics/beam/BeamBody.hpp"
+#include "igaStructure/kinematics/beam/exampleBeam.hpp"
 #include "igaStructure/kinematics/plane/PlaneBody.hpp"
 #include "igaStructure/kinematics/solid/exampleSolid.hpp"
 
@@ -20,10 +20,10 @@ using geometry::Points;
 namespace {
 
 std::unique_ptr<Body> beam(Strains strains) {
-    ExampleLine kind;
+    ExampleBeam kind;
     kind.strains = strains;
-    return std::make_unique<LineBody>(
-        Line(geometry::refine(geometry::line({0, 0, 0}, {0, 1, 0}), 3, 8), kind.section(), strains,
+    return std::make_unique<BeamBody>(
+        Beam(geometry::refine(geometry::line({0, 0, 0}, {0, 1, 0}), 3, 8), kind.section(), strains,
              {}, {}));
 }
 
@@ -34,8 +34,11 @@ std::unique_ptr<Body> solid() {
                    exampleMaterial(Kinematics::planeStress), Strains::nonlinear, {}, {}));
 }
 
-Coupling wetEdges() {
+// The wet edges of the plane solid; a beam is wet all over.
+Coupling wetPart(const Body& body) {
     Coupling coupling;
+    const bool isBeam = dynamic_cast<const BeamBody*>(&body) != nullptr;
+    coupling.method = isBeam ? TransferMethod::offset : TransferMethod::nearestElement;
     coupling.interface = {"left", "top", "right"};
     coupling.gapLimit = 0.1;
     return coupling;
@@ -118,7 +121,7 @@ TEST(InterfaceFaces, forces_on_points_do_the_work_of_the_faces) {
 
 TEST(InterfaceBalance, force_and_moment_are_the_fluids_in_any_state) {
     for (const auto& body : {beam(Strains::nonlinear), solid()}) {
-        const WetBoundary boundary(*body, wetEdges(), flapInterface(20));
+        const WetBoundary boundary(*body, wetPart(*body), flapInterface(20));
         const int n = body->model().nUnknowns();
         const VectorXd d = randomVector(n, 0.05, 1);
         const std::vector<double> forces = list(randomVector(2 * boundary.nFaces(), 1, 2));
@@ -130,7 +133,7 @@ TEST(InterfaceBalance, force_and_moment_are_the_fluids_in_any_state) {
 
 TEST(InterfaceBalance, power_is_the_fluids_where_points_move_linearly_with_the_unknowns) {
     for (const auto& body : {beam(Strains::linear), solid()}) {
-        const WetBoundary boundary(*body, wetEdges(), flapInterface(20));
+        const WetBoundary boundary(*body, wetPart(*body), flapInterface(20));
         const int n = body->model().nUnknowns();
         const std::vector<double> forces = list(randomVector(2 * boundary.nFaces(), 1, 3));
         const VectorXd before = randomVector(n, 0.05, 4), after = randomVector(n, 0.05, 5);
@@ -143,7 +146,7 @@ TEST(InterfaceBalance, power_is_the_fluids_where_points_move_linearly_with_the_u
 TEST(InterfaceBalance, translation_under_a_uniform_pressure_has_the_known_power_and_volume) {
     const auto body = solid();
     const coupling::Interface fluid = flapInterface(10);
-    const WetBoundary boundary(*body, wetEdges(), fluid);
+    const WetBoundary boundary(*body, wetPart(*body), fluid);
     // The flap's foot is dry: a pressure p presses down, p x 0.1 m
     const double p = 50;
     std::vector<double> forces;

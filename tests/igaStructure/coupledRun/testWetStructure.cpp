@@ -26,7 +26,7 @@ struct Flap {
     explicit Flap(const std::string& text)
         : structureCase(readCase(directory.write("case.yaml", text))),
           body(makeBody(structureCase)), boundary(*body, *structureCase.coupling, interface),
-          integrator(body->model(), structureCase.timeScheme, structureCase.newton, 0),
+          integrator(body->model(), *structureCase.implicitScheme(), structureCase.newton, 0),
           structure(body->model(), integrator, boundary, timer) {
         structure.beginTimeStep(deltaT, deltaT);
     }

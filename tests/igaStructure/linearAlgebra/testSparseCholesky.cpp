@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "igaStructure/assembly/TensorPattern.hpp"
 #include "igaStructure/linearAlgebra/SparseCholesky.hpp"
 
 #include <gtest/gtest.h>
@@ -80,33 +79,4 @@ TEST(SparseCholesky, singular_matrix_is_refused_though_rounding_hides_it) {
 
 TEST(SparseCholesky, matrix_without_free_unknowns_is_refused) {
     EXPECT_THROW(SparseCholesky(laplacian(3), std::vector<bool>(3, true)), SolverError);
-}
-
-TEST(TensorPattern, element_matrices_arrive_where_a_dense_assembly_puts_them) {
-    const int nU = 5;
-    const int nV = 4;
-    const TensorPattern pattern(nU, nV, 2, 1);
-    SparseMatrix matrix = pattern.zeroMatrix();
-    MatrixXd dense = MatrixXd::Zero(2 * nU * nV, 2 * nU * nV);
-    const int nLocal = 2 * 3 * 2;
-    double next = 1;
-    for (int firstV = 0; firstV + 1 < nV; ++firstV) {
-        for (int firstU = 0; firstU + 2 < nU; ++firstU) {
-            MatrixXd element(nLocal, nLocal);
-            for (double& value : element.reshaped()) {
-                value = next++;
-            }
-            pattern.add(firstU, firstV, element, matrix.valuePtr());
-            const auto unknown = [&](int local) {
-                const int k = local / 2;
-                return 2 * (firstU + k % 3 + nU * (firstV + k / 3)) + local % 2;
-            };
-            for (int column = 0; column < nLocal; ++column) {
-                for (int row = 0; row < nLocal; ++row) {
-                    dense(unknown(row), unknown(column)) += element(row, column);
-                }
-            }
-        }
-    }
-    EXPECT_EQ((MatrixXd(matrix) - dense).norm(), 0);
 }

@@ -72,8 +72,8 @@ TEST(VtuMesh, Bezier_cells_are_the_patch_exactly) {
         ASSERT_EQ(mesh.cellSize, nU * (mesh.degrees[1] + 1));
         ASSERT_EQ(mesh.connectivity.size() / mesh.cellSize, 8u);
         for (int cell = 0; cell < 8; ++cell) {
-            const Place first = mesh.points[cell * mesh.cellSize];
-            const Place last = mesh.points[(cell + 1) * mesh.cellSize - 1];
+            const Location first = mesh.points[cell * mesh.cellSize];
+            const Location last = mesh.points[(cell + 1) * mesh.cellSize - 1];
             const VectorXd b = bernstein(mesh.degrees[0], 0.3);
             const VectorXd c = bernstein(mesh.degrees[1], 0.8);
             Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -95,8 +95,8 @@ TEST(VtuMesh, corners_of_Bezier_cells_come_first_and_counter_clockwise) {
     const PlaneSolid solid = makeExample({Kinematics::planeStrain, Strains::linear, false});
     const VtuMesh mesh = bezierMesh(solid.surface());
     const auto corner = [&](int k) {
-        const Place& place = mesh.points[mesh.connectivity[k]];
-        return Eigen::Vector2d(place.xi, place.eta);
+        const Location& at = mesh.points[mesh.connectivity[k]];
+        return Eigen::Vector2d(at.xi, at.eta);
     };
     EXPECT_LT((corner(1) - corner(0) - Eigen::Vector2d(0.5, 0)).norm(), 1e-14);
     EXPECT_LT((corner(2) - corner(1) - Eigen::Vector2d(0, 0.25)).norm(), 1e-14);

@@ -111,14 +111,48 @@ TEST(Advise, says_which_fluid_resists_as_much_as_the_structure) {
     EXPECT_THAT(text, HasSubstr("the structure has 300 kg on a square metre of interface, and in "
                                 "its slowest motion a stiffness of 4528 Pa/m, which in a time step "
                                 "of 0.01 s resists as 0.14 kg/m^2 do; a fluid of 471 kg/m^3 on "
-                                "both sides adds as much to its slowest motion: explicit"));
+                                "both sides, or of 943 kg/m^3 on one, adds as much to its slowest "
+                                "motion: explicit"));
     EXPECT_THAT(adviceOn(exampleText() + "coupling: {interface: [left, top, right]}\n"),
                 HasSubstr("the structure has 300 kg on a square metre of interface, and"));
     // Water in a layer of 2/pi m: sqrt(2000 / (pi 4528)) s.
     EXPECT_THAT(adviceOn(exampleBeamText("time: {step: 0.01, end: 0.1}", "time: {scheme: static}") +
                          "coupling: {}\n"),
                 HasSubstr("water (1000 kg/m^3) on both sides resists as much in time steps of 0.37 "
-                          "s: explicit coupling needs much larger ones\n"));
+                          "s, on one side of 0.27 s: explicit coupling needs much larger ones\n"));
+}
+
+TEST(Advise, saysThatTheCavitysFloorIsStiffenedByTension) {
+    // Clamped at both ends: a period of 2 pi / 22.37 sqrt(m L^4 / E I) = 688 s at rest. The
+    // deflection w of Duffing's beam: 1 + (w / t)^2 (E A / 2 L) (integral of w'^2) is more than
+    // half as stiff again at its thickness.
+    std::string text = "geometry: {line: {from: [0, 0], to: [1, 0]}}\n"
+                       "discretisation: {degree: [3], elements: [8]}\n"
+                       "model: {kinematics: beam, strains: nonlinear, thickness: 0.002}\n"
+                       "supports:\n"
+                       "  - {end: start, fix: [x, y, rotation]}\n"
+                       "  - {end: end, fix: [x, y, rotation]}\n"
+                       "material: {type: StVenantKirchhoff, youngsModulus: 250, poissonsRatio: 0, "
+                       "density: 500}\n"
+                       "time: {}\ncoupling: {}\n";
+    EXPECT_THAT(adviceOn(text), HasSubstr("the lowest natural periods are 688"));
+    EXPECT_THAT(adviceOn(text), HasSubstr("moved by its thickness of 0.002 m it is 1."));
+    text.replace(text.find("  - {end: end, fix: [x, y, rotation]}\n"), 38, "");
+    EXPECT_THAT(adviceOn(text), Not(HasSubstr("moved by its thickness"))); // a cantilever
+}
+
+TEST(Advise, thicknessOfANanometreIsInNoRange) {
+    EXPECT_THAT(adviceOn(variantOfBeam("thickness: 0.1", "thickness: 1e-9")),
+                HasSubstr("check the unit of the thickness"));
+    const std::string shell =
+        "geometry: {plate: {origin: [0, 0, 0], edgeXi: [1, 0, 0], edgeEta: [0, 1, 0]}}\n"
+        "discretisation: {degree: [2, 2], elements: [2, 2]}\n"
+        "model: {kinematics: shell, strains: linear, thickness: 1e-9}\n"
+        "material: {type: StVenantKirchhoff, youngsModulus: 1e6, poissonsRatio: 0.3, "
+        "density: 1000}\n"
+        "supports: [{edge: left, fix: [x, y, z, rotation]}]\ntime: {step: 1, end: 1}\n";
+    EXPECT_THAT(adviceOn(shell), HasSubstr("check the unit of the thickness"));
+    EXPECT_THAT(adviceOn(shell), Not(HasSubstr("in the range")));
 }
 
 TEST(Advise, structure_with_free_rigid_motions_gets_no_estimate_of_stiffness) {

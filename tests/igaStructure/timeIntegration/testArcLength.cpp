@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/errors.hpp"
-#include "igaStructure/kinematics/beam/exampleLine.hpp"
+#include "igaStructure/kinematics/beam/exampleBeam.hpp"
 #include "igaStructure/timeIntegration/ArcLength.hpp"
 
 #include <Eigen/LU>
@@ -19,16 +19,16 @@ namespace {
 // Half of von Mises' truss: a bar that rises by h over its base b, its upper end
 // on a vertical slider. With the strain of Green and Lagrange the force is
 // E A / 2 L^3 ((h + w)^3 - h^2 (h + w)), w the slider's displacement.
-Line truss(double h, double EA) {
-    LineSection section;
+Beam truss(double h, double EA) {
+    BeamSection section;
     section.axialStiffness = EA;
     section.mass = 1;
-    LineLoads loads;
+    BeamLoads loads;
     loads.ends.push_back(endForce("0", "-t"));
     return {geometry::line({0, 0, 0}, {1, h, 0}),
             section,
             Strains::nonlinear,
-            {{LineEnd::start, true, true, false}, {LineEnd::end, true, false, false}},
+            {{BeamEnd::start, true, true, false}, {BeamEnd::end, true, false, false}},
             loads};
 }
 
@@ -56,7 +56,7 @@ geometry::NurbsCurve sineArch(double rise, double span, int elements) {
 TEST(ArcLength, follows_von_Mises_truss_through_both_limit_points) {
     const double h = 0.1;
     const double EA = 1000;
-    Line line = truss(h, EA);
+    Beam line = truss(h, EA);
     ArcLength path(line, NewtonOptions{1e-10, 25, true}, 0.02);
     const double L = std::hypot(1, h);
     double highest = 0;
@@ -86,7 +86,7 @@ TEST(ArcLength, shallow_sine_arch_snaps_at_the_load_of_the_shallow_theory) {
     // would buckle into three half waves first.
     const double a = 0.1;
     const double L = 10;
-    LineSection section;
+    BeamSection section;
     section.thickness = 0.07;
     section.axialStiffness = 1e6 * 0.07;
     section.bendingStiffness = 1e6 * std::pow(0.07, 3) / 12;
@@ -94,10 +94,10 @@ TEST(ArcLength, shallow_sine_arch_snaps_at_the_load_of_the_shallow_theory) {
     const double b = std::sqrt((a * a - 4 * section.bendingStiffness / section.axialStiffness) / 3);
     const double limit = std::pow(M_PI / L, 4) * (section.bendingStiffness * (a - b) +
                                                   section.axialStiffness * (a * a - b * b) * b / 4);
-    LineLoads loads;
+    BeamLoads loads;
     loads.tractions.push_back({Formula("0", ""), Formula("-t*sin(pi*x/10)", "")});
-    Line line(sineArch(a, L, 16), section, Strains::nonlinear,
-              {{LineEnd::start, true, true, false}, {LineEnd::end, true, false, true}}, loads);
+    Beam line(sineArch(a, L, 16), section, Strains::nonlinear,
+              {{BeamEnd::start, true, true, false}, {BeamEnd::end, true, false, true}}, loads);
     ArcLength path(line, NewtonOptions{1e-9, 25, true}, 0.02 * limit);
     double highest = 0;
     double previous = 0;
@@ -112,19 +112,20 @@ TEST(ArcLength, shallow_sine_arch_snaps_at_the_load_of_the_shallow_theory) {
 }
 
 TEST(ArcLength, energy_of_the_path_is_the_work_of_the_loads) {
-    Line line = truss(0.1, 1000);
+    Beam line = truss(0.1, 1000);
     ArcLength path(line, NewtonOptions{1e-10, 25, true}, 0.002);
     for (int step = 0; step < 60; ++step) {
         path.advance();
     }
     // Trapezoidal sums of a smooth path of 60 steps.
-    EXPECT_NEAR(path.strainEnergy(), path.externalWork(), 1e-3 * path.strainEnergy());
+    const Energies energies = path.energies();
+    EXPECT_NEAR(energies.strain, energies.externalWork, 1e-3 * energies.strain);
 }
 
 TEST(ArcLength, loads_without_a_factor_of_time_are_reported) {
-    ExampleLine kind;
+    ExampleBeam kind;
     kind.loads.ends.push_back(endForce("0", "1"));
-    Line line = kind.build();
+    Beam line = kind.build();
     ArcLength path(line, {}, 0.1);
     try {
         path.advance();

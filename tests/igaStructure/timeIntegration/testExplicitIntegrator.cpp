@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/errors.hpp"
 #include "igaStructure/exampleCase.hpp"
+#include "igaStructure/kinematics/beam/exampleBeam.hpp"
 #include "igaStructure/kinematics/beam/exampleBeamCase.hpp"
-#include "igaStructure/kinematics/beam/exampleLine.hpp"
 #include "igaStructure/kinematics/solid/exampleSolid.hpp"
 #include "igaStructure/run/runAlone.hpp"
 #include "igaStructure/tableRows.hpp"
@@ -19,8 +19,8 @@ using Eigen::VectorXd;
 
 namespace {
 
-ExampleLine loadedBeam(Strains strains) {
-    ExampleLine kind;
+ExampleBeam loadedBeam(Strains strains) {
+    ExampleBeam kind;
     kind.strains = strains;
     kind.degree = 3;
     kind.elements = 6;
@@ -31,7 +31,7 @@ ExampleLine loadedBeam(Strains strains) {
 } // namespace
 
 TEST(ExplicitIntegrator, stable_step_is_that_of_the_highest_frequency) {
-    Line line = loadedBeam(Strains::linear).build();
+    Beam line = loadedBeam(Strains::linear).build();
     ExplicitIntegrator integrator(line, 0);
     SparseMatrix tangent;
     line.internalForce(VectorXd::Zero(line.nUnknowns()), tangent);
@@ -57,21 +57,21 @@ TEST(ExplicitIntegrator, lumped_mass_is_the_mass_of_the_body) {
     const SparseMatrix mass = solid.lumpedMassMatrix();
     EXPECT_NEAR(mass.sum(), 2 * 3000 * 0.1 * 0.2, 1e-9);
     EXPECT_GT(VectorXd(mass.diagonal()).minCoeff(), 0);
-    ExampleLine free;
+    ExampleBeam free;
     free.supports = {};
     EXPECT_NEAR(free.build().lumpedMassMatrix().sum(), 2 * 10 * 10, 1e-9);
 }
 
 TEST(ExplicitIntegrator, nonlinear_beam_moves_as_with_the_implicit_scheme) {
-    ExampleLine kind = loadedBeam(Strains::nonlinear);
+    ExampleBeam kind = loadedBeam(Strains::nonlinear);
     kind.elements = 16;
-    Line line = kind.build();
+    Beam line = kind.build();
     ExplicitIntegrator integrator(line, 0);
     TimeIntegrator implicit(line, TimeScheme::newmark(0.25, 0.5), NewtonOptions{1e-10, 25, true},
                             0);
     const double step = 0.05;
     for (int k = 1; k <= 100; ++k) {
-        integrator.advance(k * step);
+        integrator.advance(k * step, step);
         implicit.beginTimeStep(k * step, step);
         implicit.solve();
         implicit.acceptTimeStep();
@@ -87,7 +87,7 @@ TEST(ExplicitIntegrator, nonlinear_beam_moves_as_with_the_implicit_scheme) {
 }
 
 TEST(ExplicitIntegrator, stiffness_damping_is_refused) {
-    Material material = exampleMaterial(Kinematics::planeStrain);
+    PlaneMaterial material = exampleMaterial(Kinematics::planeStrain);
     material.stiffnessDamping = 0.1;
     PlaneSolid solid(geometry::refine(geometry::rectangle({0, 0, 0}, 0.1, 1), 2, 3, 1, 4), material,
                      Strains::linear, {{geometry::Edge::bottom, {true, true}}}, {});

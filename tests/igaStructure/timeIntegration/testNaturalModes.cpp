@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/errors.hpp"
 #include "igaStructure/exampleCase.hpp"
-#include "igaStructure/kinematics/beam/exampleLine.hpp"
+#include "igaStructure/kinematics/beam/exampleBeam.hpp"
 #include "igaStructure/kinematics/solid/exampleSolid.hpp"
 #include "igaStructure/run/runModes.hpp"
 #include "igaStructure/tableRows.hpp"
@@ -17,7 +17,7 @@ using Eigen::MatrixXd;
 using testing::HasSubstr;
 
 TEST(NaturalModes, cantilever_has_the_frequencies_of_Euler_and_Bernoulli) {
-    ExampleLine kind;
+    ExampleBeam kind;
     kind.strains = Strains::linear;
     kind.elements = 32;
     const NaturalModes modes = naturalModes(kind.build(), 4);
@@ -60,7 +60,7 @@ TEST(NaturalModes, free_body_has_three_rigid_modes) {
 // An elastic ring in plane strain, radii 0.95 and 1.05, ovalling (n = 2): a
 // quarter with symmetric edges. Published: 2.555042 rad/s (solids4foam, ringAddedMass).
 TEST(NaturalModes, ring_ovals_with_the_published_frequency) {
-    Material material;
+    PlaneMaterial material;
     material.youngsModulus = 1e6;
     material.poissonsRatio = 0.3;
     material.density = 1000;
@@ -72,7 +72,7 @@ TEST(NaturalModes, ring_ovals_with_the_published_frequency) {
 }
 
 TEST(NaturalModes, more_modes_than_unknowns_are_refused) {
-    ExampleLine kind;
+    ExampleBeam kind;
     kind.degree = 2;
     kind.elements = 1;
     EXPECT_THROW(naturalModes(kind.build(), 3), InputError);

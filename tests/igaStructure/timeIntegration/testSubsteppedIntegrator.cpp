@@ -29,8 +29,8 @@ struct Flap {
         return text.replace(text.find("strains: linear"), 15, "strains: " + strains);
     }
     SubsteppedIntegrator integrator(int nSubsteps) {
-        return {body->model(), structureCase.timeScheme, NewtonOptions{1e-12, 25, true, 0.1}, 0,
-                nSubsteps};
+        return {body->model(), *structureCase.implicitScheme(), NewtonOptions{1e-12, 25, true, 0.1},
+                0, nSubsteps};
     }
     VectorXd force(double time) const { return (1 - std::cos(40 * time)) * shape; }
 
@@ -69,7 +69,7 @@ INSTANTIATE_TEST_SUITE_P(Strains, Substeps, testing::Values("linear", "nonlinear
 
 TEST_P(Substeps, one_is_the_step_itself) {
     Flap flap(GetParam());
-    TimeIntegrator whole(flap.body->model(), flap.structureCase.timeScheme,
+    TimeIntegrator whole(flap.body->model(), *flap.structureCase.implicitScheme(),
                          NewtonOptions{1e-12, 25, true, 0.1}, 0);
     for (int step = 1; step <= 5; ++step) {
         const double time = step * endTime / 5;

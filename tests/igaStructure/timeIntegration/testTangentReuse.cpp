@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/errors.hpp"
-#include "igaStructure/kinematics/beam/exampleLine.hpp"
+#include "igaStructure/kinematics/beam/exampleBeam.hpp"
 #include "igaStructure/kinematics/solid/exampleSolid.hpp"
 
 #include <gtest/gtest.h>
@@ -76,10 +76,10 @@ TEST(TangentReuse, new_size_of_the_time_step_takes_a_new_tangent) {
 TEST(TangentReuse, tangent_that_no_longer_serves_is_replaced) {
     // A beam between two hinges is soft at rest and stiff once it is stretched: the old
     // tangent would move it by far too much.
-    ExampleLine kind;
-    kind.supports.push_back({LineEnd::end, true, true, false});
+    ExampleBeam kind;
+    kind.supports.push_back({BeamEnd::end, true, true, false});
     kind.loads.tractions.push_back({Formula("0", ""), Formula("t < 1.5 ? -0.001*t : -100", "")});
-    Line line = kind.build();
+    Beam line = kind.build();
     NewtonOptions newton = reusing(0.5);
     newton.maximumIterations = 60;
     TimeIntegrator integrator(line, TimeScheme::quasiStatic(), newton, 0);

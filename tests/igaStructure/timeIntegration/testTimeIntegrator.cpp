@@ -27,7 +27,7 @@ struct Cantilever {
     Kinematics kinematics = Kinematics::planeStress;
 
     PlaneSolid build() const {
-        Material material;
+        PlaneMaterial material;
         material.kinematics = kinematics;
         material.youngsModulus = 4e6;
         material.poissonsRatio = poissonsRatio;

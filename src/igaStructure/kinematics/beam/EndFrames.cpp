@@ -25,18 +25,18 @@ Matrix3d frame(const Vector3d& tangent, int dimension) {
 
 } // namespace
 
-EndFrames::EndFrames(const geometry::NurbsCurve& curve, const std::vector<LineSupport>& supports,
+EndFrames::EndFrames(const geometry::NurbsCurve& curve, const std::vector<BeamSupport>& supports,
                      int dimension)
     : dimension_(dimension), fixed_(dimension * curve.nControlPoints(), false),
       toDisplacements_(fixed_.size(), fixed_.size()), motions_(curve.controlPoints()) {
     toDisplacements_.setIdentity();
     holdWhatIsNoMotion(curve);
-    for (const LineSupport& support : supports) {
+    for (const BeamSupport& support : supports) {
         hold(curve, support);
     }
     const bool allRotations =
         std::count_if(supports.begin(), supports.end(),
-                      [](const LineSupport& support) { return support.rotation; }) > 1;
+                      [](const BeamSupport& support) { return support.rotation; }) > 1;
     if (allRotations && curve.nControlPoints() < 4) {
         throw InputError("both ends of the line hold their rotation, which needs at least 4 "
                          "control points: use more elements or a higher degree");
@@ -57,10 +57,10 @@ void EndFrames::holdWhatIsNoMotion(const geometry::NurbsCurve& curve) {
     }
 }
 
-void EndFrames::hold(const geometry::NurbsCurve& curve, const LineSupport& support) {
+void EndFrames::hold(const geometry::NurbsCurve& curve, const BeamSupport& support) {
     const int n = curve.nControlPoints();
-    const int first = support.end == LineEnd::start ? 0 : n - 1;
-    const int second = support.end == LineEnd::start ? 1 : n - 2;
+    const int first = support.end == BeamEnd::start ? 0 : n - 1;
+    const int second = support.end == BeamEnd::start ? 1 : n - 2;
     const geometry::Points& points = curve.controlPoints();
     const bool held[3] = {support.x, support.y, support.z};
     for (int c = 0; c < dimension_; ++c) {
@@ -102,13 +102,12 @@ Eigen::VectorXd EndFrames::forces(const Eigen::VectorXd& onControlPoints) const 
                        : Eigen::VectorXd(toDisplacements_.transpose() * onControlPoints);
 }
 
-Eigen::SparseMatrix<double>
-EndFrames::matrix(const Eigen::SparseMatrix<double>& ofControlPoints) const {
+SparseMatrix EndFrames::matrix(const SparseMatrix& ofControlPoints) const {
     if (isIdentity_) {
         return ofControlPoints;
     }
-    const Eigen::SparseMatrix<double> transposed = toDisplacements_.transpose();
-    return transposed * Eigen::SparseMatrix<double>(ofControlPoints * toDisplacements_);
+    const SparseMatrix transposed = toDisplacements_.transpose();
+    return transposed * SparseMatrix(ofControlPoints * toDisplacements_);
 }
 
 } // namespace tokay::structure

@@ -3,15 +3,14 @@
 
 #include "geometry/spline/NurbsCurve.hpp"
 #include "igaStructure/assembly/RigidMotions.hpp"
-#include "igaStructure/kinematics/beam/LineEnd.hpp"
-
-#include <Eigen/SparseCore>
+#include "igaStructure/assembly/SparseMatrix.hpp"
+#include "igaStructure/kinematics/beam/BeamDescription.hpp"
 
 #include <vector>
 
 namespace tokay::structure {
 
-/// Unknowns of a line whose ends may not turn. The tangent at an end runs along
+/// Unknowns of a beam whose ends may not turn. The tangent at an end runs along
 /// its first two control points, so the end keeps its direction if and only if
 /// the second one moves with the first across the tangent, however large the
 /// motion. Where a rotation is held the second control point's unknowns are
@@ -22,7 +21,7 @@ class EndFrames {
   public:
     /// @param dimension  2 or 3: unknowns a control point
     /// @throws InputError if two held ends share a control point
-    EndFrames(const geometry::NurbsCurve& curve, const std::vector<LineSupport>& supports,
+    EndFrames(const geometry::NurbsCurve& curve, const std::vector<BeamSupport>& supports,
               int dimension);
 
     /// Unknowns that supports hold, dimension nControlPoints.
@@ -36,7 +35,7 @@ class EndFrames {
     Eigen::VectorXd forces(const Eigen::VectorXd& onControlPoints) const;
 
     /// A matrix for control points becomes one for unknowns.
-    Eigen::SparseMatrix<double> matrix(const Eigen::SparseMatrix<double>& ofControlPoints) const;
+    SparseMatrix matrix(const SparseMatrix& ofControlPoints) const;
 
     /// Rigid motions that what is held leaves free, in words. In space turning about
     /// its chord does not count as one.
@@ -44,13 +43,13 @@ class EndFrames {
 
   private:
     void holdWhatIsNoMotion(const geometry::NurbsCurve& curve);
-    void hold(const geometry::NurbsCurve& curve, const LineSupport& support);
+    void hold(const geometry::NurbsCurve& curve, const BeamSupport& support);
     void holdRotation(int first, int second, const Eigen::Vector3d& tangent);
 
     int dimension_;
     bool isIdentity_ = true;
     std::vector<bool> fixed_;
-    Eigen::SparseMatrix<double> toDisplacements_;
+    SparseMatrix toDisplacements_;
     RigidMotions motions_;
 };
 

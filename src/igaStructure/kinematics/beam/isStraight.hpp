@@ -5,7 +5,7 @@
 
 namespace tokay::structure {
 
-/// Whether all control points lie on the line through the first and last one,
+/// True if all control points lie on the line through the first and last one,
 /// to rounding.
 bool isStraight(const geometry::NurbsCurve& curve);
 

@@ -16,7 +16,7 @@ double angleRate(const Vector2d& tangent, const Vector2d& rate) {
 
 } // namespace
 
-Vector2d sectionDisplacement(const LineField& reference, const LineField& displacement, double zeta,
+Vector2d sectionDisplacement(const BeamField& reference, const BeamField& displacement, double zeta,
                              bool isLinear) {
     if (isLinear) {
         return sectionVelocity(reference, displacement, displacement, zeta, true);
@@ -25,14 +25,14 @@ Vector2d sectionDisplacement(const LineField& reference, const LineField& displa
                                               reference.slope.normalized());
 }
 
-Vector2d sectionVelocity(const LineField& reference, const LineField& displacement,
-                         const LineField& velocity, double zeta, bool isLinear) {
+Vector2d sectionVelocity(const BeamField& reference, const BeamField& displacement,
+                         const BeamField& velocity, double zeta, bool isLinear) {
     const Vector2d a = isLinear ? reference.slope : Vector2d(reference.slope + displacement.slope);
     return velocity.value - zeta * angleRate(a, velocity.slope) * a.normalized();
 }
 
-Vector2d sectionAcceleration(const LineField& reference, const LineField& displacement,
-                             const LineField& velocity, const LineField& acceleration, double zeta,
+Vector2d sectionAcceleration(const BeamField& reference, const BeamField& displacement,
+                             const BeamField& velocity, const BeamField& acceleration, double zeta,
                              bool isLinear) {
     if (isLinear) {
         return sectionVelocity(reference, displacement, acceleration, zeta, true);

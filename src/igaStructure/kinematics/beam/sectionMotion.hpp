@@ -6,7 +6,7 @@
 namespace tokay::structure {
 
 /// A field of a plane line at a parameter: its value and derivative by xi.
-struct LineField {
+struct BeamField {
     Eigen::Vector2d value;
     Eigen::Vector2d slope;
 };
@@ -15,14 +15,14 @@ struct LineField {
 /// a distance zeta to its left.
 /// @param reference  axis and its derivative, before the motion
 /// @param isLinear   small rotations
-Eigen::Vector2d sectionDisplacement(const LineField& reference, const LineField& displacement,
+Eigen::Vector2d sectionDisplacement(const BeamField& reference, const BeamField& displacement,
                                     double zeta, bool isLinear);
 
-Eigen::Vector2d sectionVelocity(const LineField& reference, const LineField& displacement,
-                                const LineField& velocity, double zeta, bool isLinear);
+Eigen::Vector2d sectionVelocity(const BeamField& reference, const BeamField& displacement,
+                                const BeamField& velocity, double zeta, bool isLinear);
 
-Eigen::Vector2d sectionAcceleration(const LineField& reference, const LineField& displacement,
-                                    const LineField& velocity, const LineField& acceleration,
+Eigen::Vector2d sectionAcceleration(const BeamField& reference, const BeamField& displacement,
+                                    const BeamField& velocity, const BeamField& acceleration,
                                     double zeta, bool isLinear);
 
 } // namespace tokay::structure

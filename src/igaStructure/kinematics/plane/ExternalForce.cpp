@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/kinematics/plane/ExternalForce.hpp"
 
-#include "igaStructure/assembly/gaussRule.hpp"
+#include "geometry/quadrature/gaussLegendre.hpp"
 #include "igaStructure/kinematics/plane/PlaneElement.hpp"
 
 namespace tokay::structure {
@@ -21,7 +21,8 @@ Eigen::Vector2d evaluate(const std::array<Formula, 2>& formulas, double x, doubl
 
 } // namespace
 
-ExternalForce::ExternalForce(geometry::NurbsSurface surface, const Material& material, Loads loads)
+ExternalForce::ExternalForce(geometry::NurbsSurface surface, const PlaneMaterial& material,
+                             Loads loads)
     : surface_(std::move(surface)), material_(material),
       constant_(Eigen::VectorXd::Zero(2 * surface_.nControlPoints())) {
     for (EdgeTraction& load : loads.tractions) {
@@ -54,7 +55,8 @@ const Eigen::VectorXd& ExternalForce::at(double time) {
 void ExternalForce::add(const EdgeTraction& load, double time, Eigen::VectorXd& force) const {
     const geometry::BoundaryCurve boundary = surface_.boundaryCurve(load.edge);
     const std::vector<double>& breakpoints = boundary.curve.knotVector().breakpoints();
-    const GaussRule rule = gaussRule(boundary.curve.degree() + additionalLoadPoints);
+    const geometry::QuadratureRule& rule =
+        geometry::gaussLegendre(boundary.curve.degree() + additionalLoadPoints);
     for (std::size_t span = 0; span + 1 < breakpoints.size(); ++span) {
         const double length = breakpoints[span + 1] - breakpoints[span];
         for (std::size_t g = 0; g < rule.points.size(); ++g) {
@@ -76,7 +78,9 @@ void ExternalForce::add(const EdgeTraction& load, double time, Eigen::VectorXd& 
 void ExternalForce::add(const Gravity& load, double time, Eigen::VectorXd& force) const {
     const TabulatedBasis u(surface_.u(), surface_.u().degree() + additionalLoadPoints);
     const TabulatedBasis v(surface_.v(), surface_.v().degree() + additionalLoadPoints);
-    PlaneElement element(surface_, u, v);
+    const PatchNodes controlPoints({surface_.u(), surface_.v()}, surface_.controlPoints(),
+                                   surface_.weights(), true);
+    PlaneElement element(surface_, controlPoints, u, v);
     for (int spanV = 0; spanV < v.nSpans(); ++spanV) {
         for (int spanU = 0; spanU < u.nSpans(); ++spanU) {
             element.moveToElement(spanU, spanV);
@@ -87,7 +91,7 @@ void ExternalForce::add(const Gravity& load, double time, Eigen::VectorXd& force
                                              element.area() *
                                              evaluate(load.acceleration, x[0], x[1], time);
                 for (int a = 0; a < element.nFunctions(); ++a) {
-                    force.segment<2>(2 * element.controlPoints()[a]) += element.values()[a] * pull;
+                    force.segment<2>(2 * element.nodes()[a]) += element.values()[a] * pull;
                 }
             }
         }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "igaStructure/kinematics/plane/Loads.hpp"
-#include "igaStructure/kinematics/plane/Material.hpp"
+#include "igaStructure/kinematics/plane/PlaneMaterial.hpp"
 
 #include <Eigen/Core>
 
@@ -12,7 +12,7 @@ namespace tokay::structure {
 /// (same virtual work). Loads that do not depend on time are integrated once.
 class ExternalForce {
   public:
-    ExternalForce(geometry::NurbsSurface surface, const Material& material, Loads loads);
+    ExternalForce(geometry::NurbsSurface surface, const PlaneMaterial& material, Loads loads);
 
     /// @return  2 nControlPoints [N]
     /// @throws  InputError if a formula's value is not finite
@@ -23,7 +23,7 @@ class ExternalForce {
     void add(const Gravity& load, double time, Eigen::VectorXd& force) const;
 
     geometry::NurbsSurface surface_;
-    Material material_;
+    PlaneMaterial material_;
     Loads varying_; ///< with time
     Eigen::VectorXd constant_;
     Eigen::VectorXd force_;

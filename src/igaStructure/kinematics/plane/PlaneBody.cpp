@@ -1,25 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/kinematics/plane/PlaneBody.hpp"
 
-#include "igaStructure/kinematics/plane/PlaneTransfer.hpp"
 #include "igaStructure/kinematics/vonMises.hpp"
 
 #include <fmt/format.h>
 
-#include <cassert>
-
 namespace tokay::structure {
+
+PlaneBody::PlaneBody(PlaneSolid solid) : solid_(std::move(solid)), projector_(solid_.surface()) {
+    add({"stress", "Pa", 6, true, [this](const MotionState& state, const auto& locations) {
+             return stress(state.displacement, locations);
+         }});
+    add({"vonMisesStress", "Pa", 1, false, [this](const MotionState& state, const auto& locations) {
+             return vonMises(stress(state.displacement, locations));
+         }});
+}
 
 std::string PlaneBody::description() const {
     const geometry::NurbsSurface& surface = solid_.surface();
-    const Material& material = solid_.material();
+    const PlaneMaterial& material = solid_.material();
     return fmt::format(
-        "  {}, {} strains, degree {} x {}, {} x {} elements{}\n"
-        "  St. Venant-Kirchhoff: E {:g} Pa, nu {:g}, density {:g} kg/m^3, thickness {:g} m\n",
+        "  {}, {} strains, degree {} x {}, {} x {} elements{}{}\n"
+        "  {}, thickness {:g} m\n",
         material.kinematics == Kinematics::planeStrain ? "plane strain" : "plane stress",
         solid_.isLinear() ? "linear" : "nonlinear", surface.u().degree(), surface.v().degree(),
         surface.u().nSpans(), surface.v().nSpans(), surface.isRational() ? ", rational" : "",
-        material.youngsModulus, material.poissonsRatio, material.density, material.thickness);
+        solid_.nodes().description(), material.description(), material.thickness);
 }
 
 std::vector<VtuMesh> PlaneBody::meshes(const OutputOptions& options) const {
@@ -27,62 +33,38 @@ std::vector<VtuMesh> PlaneBody::meshes(const OutputOptions& options) const {
                                                : quadMesh(solid_.surface(), options.subdivision)};
 }
 
-std::vector<std::string> PlaneBody::fieldNames() const {
-    return {"displacement", "velocity", "acceleration", "stress", "vonMisesStress"};
-}
-
-std::vector<std::string> PlaneBody::defaultFields() const {
-    return {"displacement", "velocity", "stress"};
-}
-
-Eigen::MatrixXd PlaneBody::positions(const std::vector<Place>& places) const {
-    Eigen::MatrixXd values(3, places.size());
-    for (std::size_t k = 0; k < places.size(); ++k) {
-        values.col(k) = solid_.surface().point(places[k].xi, places[k].eta);
+Eigen::MatrixXd PlaneBody::positions(const std::vector<Location>& locations) const {
+    Eigen::MatrixXd values(3, locations.size());
+    for (std::size_t k = 0; k < locations.size(); ++k) {
+        values.col(k) = solid_.surface().point(locations[k].xi, locations[k].eta);
     }
     return values;
 }
 
 Eigen::MatrixXd PlaneBody::displacements(const Eigen::VectorXd& displacement,
-                                         const std::vector<Place>& places) const {
-    Eigen::MatrixXd values = Eigen::MatrixXd::Zero(3, places.size());
-    for (std::size_t k = 0; k < places.size(); ++k) {
-        const geometry::SurfaceBasis basis = solid_.surface().basis(places[k].xi, places[k].eta, 0);
+                                         const std::vector<Location>& locations) const {
+    Eigen::MatrixXd values = Eigen::MatrixXd::Zero(3, locations.size());
+    for (std::size_t k = 0; k < locations.size(); ++k) {
+        const geometry::SurfaceBasis basis =
+            solid_.surface().basis(locations[k].xi, locations[k].eta, 0);
         for (std::size_t a = 0; a < basis.controlPoints.size(); ++a) {
             values.col(k).head<2>() +=
-                basis.N(0, a) * displacement.segment<2>(2 * basis.controlPoints[a]);
+                basis.N(0, a) *
+                displacement.segment<2>(2 * solid_.nodes().of(basis.controlPoints[a]));
         }
     }
     return values;
 }
 
 Eigen::MatrixXd PlaneBody::stress(const Eigen::VectorXd& displacement,
-                                  const std::vector<Place>& places) const {
-    Eigen::MatrixXd values(6, places.size());
-    for (std::size_t k = 0; k < places.size(); ++k) {
+                                  const std::vector<Location>& locations) const {
+    Eigen::MatrixXd values(6, locations.size());
+    for (std::size_t k = 0; k < locations.size(); ++k) {
         const Eigen::Matrix3d s =
-            solid_.stateAt(places[k].xi, places[k].eta, displacement).cauchyStress;
+            solid_.stateAt(locations[k].xi, locations[k].eta, displacement).cauchyStress;
         values.col(k) << s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(0, 2);
     }
     return values;
-}
-
-Eigen::MatrixXd PlaneBody::field(const std::string& name, const MotionState& state,
-                                 const std::vector<Place>& places) const {
-    if (name == "displacement") {
-        return displacements(state.displacement, places);
-    }
-    if (name == "velocity") {
-        return displacements(state.velocity, places); // linear in the unknowns
-    }
-    if (name == "acceleration") {
-        return displacements(state.acceleration, places);
-    }
-    if (name == "stress") {
-        return stress(state.displacement, places);
-    }
-    assert(name == "vonMisesStress");
-    return vonMises(stress(state.displacement, places));
 }
 
 Body::Closest PlaneBody::closest(const geometry::Point& point) const {
@@ -106,9 +88,14 @@ std::vector<std::string> PlaneBody::advice() const {
         slenderness > slender ? ": a beam has the same motion with far fewer unknowns" : "")};
 }
 
-std::unique_ptr<InterfaceTransfer> PlaneBody::transfer(const Coupling& coupling,
-                                                       const geometry::Points& points) const {
-    return std::make_unique<PlaneTransfer>(solid_, coupling, points);
+WetSurface PlaneBody::wetSurface(const std::vector<std::string>& names) const {
+    std::vector<mapper::SplinePiece> pieces;
+    for (const std::string& name : names) {
+        geometry::BoundaryCurve boundary =
+            solid_.surface().boundaryCurve(geometry::edgeFromName(name));
+        pieces.push_back({std::move(boundary.curve), std::move(boundary.controlPoints), name});
+    }
+    return mapper::SplineInterface(std::move(pieces), solid_.surface().nControlPoints());
 }
 
 } // namespace tokay::structure

@@ -10,7 +10,7 @@ namespace tokay::structure {
 /// A patch in the plane z = 0, in plane strain or plane stress.
 class PlaneBody : public Body {
   public:
-    explicit PlaneBody(PlaneSolid solid) : solid_(std::move(solid)), projector_(solid_.surface()) {}
+    explicit PlaneBody(PlaneSolid solid);
 
     StructuralModel& model() override { return solid_; }
     const StructuralModel& model() const override { return solid_; }
@@ -18,25 +18,21 @@ class PlaneBody : public Body {
     std::string description() const override;
     std::vector<VtuMesh> meshes(const OutputOptions& options) const override;
 
-    /// stress: Cauchy's, in the order xx yy zz xy yz xz.
-    std::vector<std::string> fieldNames() const override;
-    std::vector<std::string> defaultFields() const override;
-    Eigen::MatrixXd positions(const std::vector<Place>& places) const override;
+    Eigen::MatrixXd positions(const std::vector<Location>& locations) const override;
     Eigen::MatrixXd displacements(const Eigen::VectorXd& displacement,
-                                  const std::vector<Place>& places) const override;
-    Eigen::MatrixXd field(const std::string& name, const MotionState& state,
-                          const std::vector<Place>& places) const override;
+                                  const std::vector<Location>& locations) const override;
     Closest closest(const geometry::Point& point) const override;
-    /// Of the whole body, over its largest extent.
+    /// Mass per depth of the whole body over its largest extent.
     double massPerWetArea() const override;
     double thickness() const override { return massPerWetArea() / solid_.material().density; }
     std::vector<std::string> advice() const override;
-    std::unique_ptr<InterfaceTransfer> transfer(const Coupling& coupling,
-                                                const geometry::Points& points) const override;
 
   private:
+    WetSurface wetSurface(const std::vector<std::string>& names) const override;
+    double depth() const override { return solid_.material().thickness; }
+    /// Cauchy's, in the order xx yy zz xy yz xz.
     Eigen::MatrixXd stress(const Eigen::VectorXd& displacement,
-                           const std::vector<Place>& places) const;
+                           const std::vector<Location>& locations) const;
 
     PlaneSolid solid_;
     geometry::SurfaceProjector projector_;

@@ -8,10 +8,11 @@
 
 namespace tokay::structure {
 
-PlaneElement::PlaneElement(const geometry::NurbsSurface& surface, const TabulatedBasis& u,
-                           const TabulatedBasis& v)
-    : surface_(surface), u_(u), v_(v), controlPoints_(nFunctions()), coordinates_(2, nFunctions()),
-      weights_(nFunctions()), values_(nFunctions()), gradients_(2, nFunctions()) {}
+PlaneElement::PlaneElement(const geometry::NurbsSurface& surface, const PatchNodes& nodes,
+                           const TabulatedBasis& u, const TabulatedBasis& v)
+    : surface_(surface), nodes_(nodes), u_(u), v_(v), elementNodes_(nFunctions()),
+      coordinates_(2, nFunctions()), weights_(nFunctions()), values_(nFunctions()),
+      gradients_(2, nFunctions()) {}
 
 void PlaneElement::moveToElement(int spanU, int spanV) {
     spanU_ = spanU;
@@ -19,8 +20,9 @@ void PlaneElement::moveToElement(int spanU, int spanV) {
     for (int b = 0; b < v_.nFunctions(); ++b) {
         for (int a = 0; a < u_.nFunctions(); ++a) {
             const int local = a + u_.nFunctions() * b;
-            const int k = firstU() + a + surface_.u().nBasis() * (firstV() + b);
-            controlPoints_[local] = k;
+            const int k =
+                u_.firstFunction(spanU) + a + surface_.u().nBasis() * (v_.firstFunction(spanV) + b);
+            elementNodes_[local] = nodes_.of(k);
             coordinates_.col(local) = surface_.controlPoints().row(k).head<2>().transpose();
             weights_[local] = surface_.isRational() ? surface_.weights()[k] : 1;
         }

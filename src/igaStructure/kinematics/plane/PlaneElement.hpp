@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/spline/NurbsSurface.hpp"
+#include "igaStructure/assembly/PatchNodes.hpp"
 #include "igaStructure/assembly/TabulatedBasis.hpp"
 
 #include <Eigen/Core>
@@ -16,8 +17,8 @@ class PlaneElement {
     using Gradients = Eigen::Matrix<double, 2, Eigen::Dynamic>;
 
     /// References are kept.
-    PlaneElement(const geometry::NurbsSurface& surface, const TabulatedBasis& u,
-                 const TabulatedBasis& v);
+    PlaneElement(const geometry::NurbsSurface& surface, const PatchNodes& nodes,
+                 const TabulatedBasis& u, const TabulatedBasis& v);
 
     int nFunctions() const { return u_.nFunctions() * v_.nFunctions(); }
     int nPoints() const { return u_.nPointsPerSpan() * v_.nPointsPerSpan(); }
@@ -25,10 +26,8 @@ class PlaneElement {
     void moveToElement(int spanU, int spanV);
     void moveToPoint(int point);
 
-    int firstU() const { return u_.firstFunction(spanU_); }
-    int firstV() const { return v_.firstFunction(spanV_); }
-    /// Control point of each function.
-    const std::vector<int>& controlPoints() const { return controlPoints_; }
+    /// Node of each function.
+    const std::vector<int>& nodes() const { return elementNodes_; }
 
     const Eigen::VectorXd& values() const { return values_; }
     /// Column a: gradient of function a [1/m].
@@ -44,11 +43,12 @@ class PlaneElement {
     void makeRational();
 
     const geometry::NurbsSurface& surface_;
+    const PatchNodes& nodes_;
     const TabulatedBasis& u_;
     const TabulatedBasis& v_;
     int spanU_ = 0;
     int spanV_ = 0;
-    std::vector<int> controlPoints_;
+    std::vector<int> elementNodes_;
     Eigen::Matrix<double, 2, Eigen::Dynamic> coordinates_;
     Eigen::VectorXd weights_;
     Eigen::VectorXd values_;

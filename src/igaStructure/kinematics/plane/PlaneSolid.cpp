@@ -18,13 +18,13 @@ using ElementVector = Eigen::Matrix<double, 2, Eigen::Dynamic>;
 
 void gather(const Eigen::VectorXd& global, const PlaneElement& element, ElementVector& local) {
     for (int a = 0; a < element.nFunctions(); ++a) {
-        local.col(a) = global.segment<2>(2 * element.controlPoints()[a]);
+        local.col(a) = global.segment<2>(2 * element.nodes()[a]);
     }
 }
 
 void scatter(const ElementVector& local, const PlaneElement& element, Eigen::VectorXd& global) {
     for (int a = 0; a < element.nFunctions(); ++a) {
-        global.segment<2>(2 * element.controlPoints()[a]) += local.col(a);
+        global.segment<2>(2 * element.nodes()[a]) += local.col(a);
     }
 }
 
@@ -71,14 +71,16 @@ struct PlaneSolid::Workspace {
     }
 };
 
-PlaneSolid::PlaneSolid(geometry::NurbsSurface surface, const Material& material, Strains strains,
-                       const std::vector<Support>& supports, Loads loads)
-    : surface_(std::move(surface)), material_(material), strains_(strains),
-      stiffness_(material.stiffness()), stiffnessRoot_(stiffness_.llt().matrixU()),
-      fixed_(fixedUnknowns(surface_, supports)), u_(surface_.u(), surface_.u().degree() + 1),
-      v_(surface_.v(), surface_.v().degree() + 1),
-      pattern_(surface_.u().nBasis(), surface_.v().nBasis(), surface_.u().degree(),
-               surface_.v().degree()),
+PlaneSolid::PlaneSolid(geometry::NurbsSurface surface, const PlaneMaterial& material,
+                       Strains strains, const std::vector<Support>& supports, Loads loads,
+                       bool isSlit)
+    : surface_(std::move(surface)),
+      nodes_({surface_.u(), surface_.v()}, surface_.controlPoints(), surface_.weights(), isSlit),
+      material_(material), strains_(strains), stiffness_(material.stiffness()),
+      stiffnessRoot_(stiffness_.llt().matrixU()),
+      fixed_(nodes_.fixed(fixedUnknowns(surface_, supports))),
+      u_(surface_.u(), surface_.u().degree() + 1), v_(surface_.v(), surface_.v().degree() + 1),
+      pattern_(2, nodes_.neighbours({surface_.u(), surface_.v()})),
       external_(surface_, material, std::move(loads)) {
     requirePlane(surface_);
     forEachPoint([](const PlaneElement& element) { element.requireRegular(); },
@@ -87,7 +89,7 @@ PlaneSolid::PlaneSolid(geometry::NurbsSurface surface, const Material& material,
 
 template <class Visit, class Finish>
 void PlaneSolid::forEachPoint(Visit visit, Finish finish) const {
-    PlaneElement element(surface_, u_, v_);
+    PlaneElement element(surface_, nodes_, u_, v_);
     for (int spanV = 0; spanV < v_.nSpans(); ++spanV) {
         for (int spanU = 0; spanU < u_.nSpans(); ++spanU) {
             element.moveToElement(spanU, spanV);
@@ -116,10 +118,15 @@ SparseMatrix PlaneSolid::massMatrix() const {
                     full(2 * a, 2 * b) = full(2 * a + 1, 2 * b + 1) = scalar(a, b);
                 }
             }
-            pattern_.add(element.firstU(), element.firstV(), full, mass.valuePtr());
+            pattern_.add(element.nodes(), full, mass.valuePtr());
             scalar.setZero();
         });
     return mass;
+}
+
+const Eigen::VectorXd& PlaneSolid::externalForce(double time) {
+    externalForce_ = nodes_.toNodes(external_.at(time));
+    return externalForce_;
 }
 
 SparseMatrix PlaneSolid::lumpedMassMatrix() const {
@@ -210,7 +217,7 @@ StructuralModel::Internal PlaneSolid::internalForce(const Eigen::VectorXd& displ
         },
         [&](const PlaneElement& element) {
             workspace.multiply(strains_ == Strains::nonlinear);
-            pattern_.add(element.firstU(), element.firstV(), workspace.tangent, tangent.valuePtr());
+            pattern_.add(element.nodes(), workspace.tangent, tangent.valuePtr());
             const Eigen::VectorXd force = workspace.strainRows.transpose() * strains;
             scatter(Eigen::Map<const ElementVector>(force.data(), 2, u.cols()), element,
                     internal.force);
@@ -237,7 +244,7 @@ std::vector<std::string> PlaneSolid::freeRigidMotions() const {
     motions.holdInPlane();
     for (int k = 0; k < surface_.nControlPoints(); ++k) {
         for (int c = 0; c < 2; ++c) {
-            if (fixed_[2 * k + c]) {
+            if (fixed_[2 * nodes_.of(k) + c]) {
                 motions.holdPoint(surface_.controlPoints().row(k), Eigen::Vector3d::Unit(c));
             }
         }
@@ -256,7 +263,7 @@ PlaneState PlaneSolid::stateAt(double xi, double eta, const Eigen::VectorXd& dis
     ElementVector u(2, n);
     ElementVector x(2, n);
     for (int a = 0; a < n; ++a) {
-        u.col(a) = displacement.segment<2>(2 * basis.controlPoints[a]);
+        u.col(a) = displacement.segment<2>(2 * nodes_.of(basis.controlPoints[a]));
         x.col(a) = surface_.controlPoints().row(basis.controlPoints[a]).head<2>().transpose();
     }
     const Eigen::Matrix2d jacobian = basis.N.middleRows(1, 2) * x.transpose();

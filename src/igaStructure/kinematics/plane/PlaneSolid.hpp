@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "igaStructure/assembly/Strains.hpp"
+#include "igaStructure/assembly/ElasticMaterial.hpp"
+#include "igaStructure/assembly/NodePattern.hpp"
+#include "igaStructure/assembly/PatchNodes.hpp"
 #include "igaStructure/assembly/StructuralModel.hpp"
 #include "igaStructure/assembly/TabulatedBasis.hpp"
-#include "igaStructure/assembly/TensorPattern.hpp"
 #include "igaStructure/kinematics/plane/ExternalForce.hpp"
-#include "igaStructure/kinematics/plane/Material.hpp"
+#include "igaStructure/kinematics/plane/PlaneMaterial.hpp"
 #include "igaStructure/kinematics/plane/Supports.hpp"
 
 namespace tokay::structure {
@@ -23,12 +24,19 @@ struct PlaneState {
 /// St. Venant-Kirchhoff), degree + 1 Gauss points a direction and element.
 class PlaneSolid : public StructuralModel {
   public:
+    /// @param isSlit  opposite edges that coincide stay apart
     /// @throws InputError if the patch folds over, or does not lie in z = 0
-    PlaneSolid(geometry::NurbsSurface surface, const Material& material, Strains strains,
-               const std::vector<Support>& supports, Loads loads);
+    PlaneSolid(geometry::NurbsSurface surface, const PlaneMaterial& material, Strains strains,
+               const std::vector<Support>& supports, Loads loads, bool isSlit = false);
 
-    int nUnknowns() const override { return 2 * surface_.nControlPoints(); }
+    int nUnknowns() const override { return 2 * nodes_.count(); }
     int nComponents() const override { return 2; }
+    Eigen::VectorXd controlDisplacements(const Eigen::VectorXd& unknowns) const override {
+        return nodes_.toControlPoints(unknowns);
+    }
+    Eigen::VectorXd onUnknowns(const Eigen::VectorXd& onControlPoints) const override {
+        return nodes_.toNodes(onControlPoints);
+    }
     bool isLinear() const override { return strains_ == Strains::linear; }
     SparseMatrix massMatrix() const override;
     /// Row sums of the consistent one.
@@ -39,13 +47,14 @@ class PlaneSolid : public StructuralModel {
     Internal internalForce(const Eigen::VectorXd& displacement,
                            SparseMatrix& tangent) const override;
     double strainEnergy(const Eigen::VectorXd& displacement) const override;
-    const Eigen::VectorXd& externalForce(double time) override { return external_.at(time); }
+    const Eigen::VectorXd& externalForce(double time) override;
     const std::vector<bool>& fixed() const override { return fixed_; }
     std::vector<std::string> freeRigidMotions() const override;
     double size() const override;
 
     const geometry::NurbsSurface& surface() const { return surface_; }
-    const Material& material() const { return material_; }
+    const PatchNodes& nodes() const { return nodes_; }
+    const PlaneMaterial& material() const { return material_; }
     int nElements() const { return u_.nSpans() * v_.nSpans(); }
 
     PlaneState stateAt(double xi, double eta, const Eigen::VectorXd& displacement) const;
@@ -70,14 +79,16 @@ class PlaneSolid : public StructuralModel {
     void forEachPoint(Visit visit, Finish finish) const;
 
     geometry::NurbsSurface surface_;
-    Material material_;
+    PatchNodes nodes_;
+    PlaneMaterial material_;
     Strains strains_;
     Eigen::Matrix3d stiffness_;
     Eigen::Matrix3d stiffnessRoot_; ///< upper triangular R, C = R^T R
     std::vector<bool> fixed_;
     TabulatedBasis u_, v_;
-    TensorPattern pattern_;
+    NodePattern pattern_;
     ExternalForce external_;
+    Eigen::VectorXd externalForce_;
 };
 
 } // namespace tokay::structure

@@ -4,22 +4,15 @@
 #include "igaStructure/caseFile/CaseSection.hpp"
 #include "igaStructure/caseFile/requireUsed.hpp"
 #include "igaStructure/kinematics/readGeometry.hpp"
+#include "igaStructure/kinematics/readMaterial.hpp"
 
 namespace tokay::structure {
 
 namespace {
 
-Material readPlaneMaterial(const CaseSection& file) {
+PlaneMaterial readPlaneMaterial(const CaseSection& file) {
     const CaseSection model = file.section("model");
-    const CaseSection section = file.section("material");
-    const CaseSection damping = section.section("rayleighDamping");
-    Material material;
-    material.youngsModulus = section.number("youngsModulus");
-    section.require("poissonsRatio", "a plane solid needs it");
-    material.poissonsRatio = section.number("poissonsRatio");
-    material.density = section.number("density");
-    material.massDamping = damping.number("mass");
-    material.stiffnessDamping = damping.number("stiffness");
+    PlaneMaterial material{readMaterial(file)};
     if (model.text("kinematics") == "planeStrain") {
         requireUsed(model, {"kinematics", "strains"}, "planeStrain");
         return material;
@@ -75,7 +68,10 @@ PlaneSolidCase readPlaneSolid(const CaseSection& file) {
     return {readSurface(file),
             file.section("model").text("strains") == "linear" ? Strains::linear
                                                               : Strains::nonlinear,
-            readPlaneMaterial(file), readPlaneSupports(file), readPlaneLoads(file)};
+            readPlaneMaterial(file),
+            readPlaneSupports(file),
+            readPlaneLoads(file),
+            isSlit(file)};
 }
 
 } // namespace tokay::structure

@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
 namespace tokay::structure {
@@ -23,19 +22,10 @@ namespace {
 
 std::shared_ptr<const ShellSection> makeSection(MaterialLaw law, const ShellMaterial& material,
                                                 double thickness) {
-    const double E = material.youngsModulus;
-    const double nu = material.poissonsRatio;
-    switch (law) {
-    case MaterialLaw::stVenantKirchhoff:
-        return std::make_shared<LinearSection>(E, nu, thickness);
-    case MaterialLaw::neoHookean:
-        return std::make_shared<NeoHookeanSection>(E / (2 * (1 + nu)),
-                                                   E * nu / ((1 + nu) * (1 - 2 * nu)), thickness);
-    case MaterialLaw::incompressibleNeoHookean:
-        return std::make_shared<NeoHookeanSection>(E / 3, std::numeric_limits<double>::infinity(),
-                                                   thickness);
+    if (law == MaterialLaw::stVenantKirchhoff) {
+        return std::make_shared<LinearSection>(material, thickness);
     }
-    throw InputError("unknown material law");
+    return std::make_shared<NeoHookeanSection>(material.mu(), material.lambda(), thickness);
 }
 
 } // namespace
@@ -74,7 +64,7 @@ Shell::Shell(ShellDescription description)
         throw InputError("a membrane has no stiffness against a moment: take kinematics shell");
     }
     buildPatches();
-    sweep_ = std::make_unique<ElementSweep>(patches_);
+    sweep_ = std::make_unique<ElementRows>(patches_);
     constraints_ = shellConstraints(description_, patches_, nodes_.count());
     buildPattern();
     deadLoads_ = std::make_unique<DeadLoads>(description_.loads, description_.model, patches_,
@@ -138,8 +128,8 @@ void Shell::buildPattern() {
             }
         }
     }
-    for (const auto& spring : constraints_.springs) {
-        connect(spring->nodes());
+    for (const auto& coupling : constraints_.couplings) {
+        connect(coupling->nodes());
     }
     pattern_ = std::make_unique<NodePattern>(3, std::move(neighbours));
 }
@@ -238,17 +228,17 @@ void Shell::visitElement(ShellElement& element, int row, const VectorXd& displac
     }
 }
 
-void Shell::addSprings(const VectorXd& displacement, SparseMatrix* tangent, VectorXd& force,
-                       double& energy) const {
-    for (const auto& spring : constraints_.springs) {
-        const EdgeSpring::Answer answer =
-            spring->answer(displacement, description_.strains, tangent);
-        for (std::size_t k = 0; k < spring->nodes().size(); ++k) {
-            force.segment<3>(3 * spring->nodes()[k]) +=
+void Shell::addCouplings(const VectorXd& displacement, SparseMatrix* tangent, VectorXd& force,
+                         double& energy) const {
+    for (const auto& coupling : constraints_.couplings) {
+        const EdgeCoupling::Answer answer =
+            coupling->answer(displacement, description_.strains, tangent);
+        for (std::size_t k = 0; k < coupling->nodes().size(); ++k) {
+            force.segment<3>(3 * coupling->nodes()[k]) +=
                 answer.force.segment<3>(3 * static_cast<Eigen::Index>(k));
         }
         if (tangent) {
-            pattern_->add(spring->nodes(), answer.tangent, tangent->valuePtr());
+            pattern_->add(coupling->nodes(), answer.tangent, tangent->valuePtr());
         }
         energy += answer.energy;
     }
@@ -269,7 +259,7 @@ StructuralModel::Internal Shell::evaluate(const VectorXd& displacement, SparseMa
         visitElement(element, row, displacement, tangent, workspaces[thread], totals);
     });
     energy = std::accumulate(totals.energies.begin(), totals.energies.end(), 0.0);
-    addSprings(displacement, tangent, totals.force, energy);
+    addCouplings(displacement, tangent, totals.force, energy);
     return {std::move(totals.force),
             *std::min_element(totals.smallestRatios.begin(), totals.smallestRatios.end())};
 }
@@ -313,7 +303,42 @@ void Shell::subtractFollowerDerivative(const VectorXd& displacement, double time
 }
 
 std::vector<std::string> Shell::freeRigidMotions() const {
-    return structure::freeRigidMotions(nodes_.positions, constraints_);
+    const std::vector<ShellPart> parts = shellParts(description_.model);
+    if (parts.size() == 1) {
+        return structure::freeRigidMotions(nodes_.positions, constraints_, nodesOf(parts[0]));
+    }
+    std::vector<std::string> all;
+    for (const ShellPart& part : parts) {
+        for (const std::string& motion :
+             structure::freeRigidMotions(nodes_.positions, constraints_, nodesOf(part))) {
+            all.push_back(fmt::format("{} of {}", motion, part.name));
+        }
+    }
+    return all;
+}
+
+std::vector<std::string> Shell::looseParts() const {
+    const std::vector<ShellPart> parts = shellParts(description_.model);
+    std::vector<std::string> loose;
+    for (const ShellPart& part : parts) {
+        constexpr std::size_t allRigidMotions = 6;
+        if (parts.size() > 1 &&
+            structure::freeRigidMotions(nodes_.positions, constraints_, nodesOf(part)).size() ==
+                allRigidMotions) {
+            loose.push_back(part.name);
+        }
+    }
+    return loose;
+}
+
+std::vector<int> Shell::nodesOf(const ShellPart& part) const {
+    std::vector<int> nodes;
+    for (const int face : part.faces) {
+        nodes.insert(nodes.end(), nodes_.ofFace[face].begin(), nodes_.ofFace[face].end());
+    }
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    return nodes;
 }
 
 namespace {

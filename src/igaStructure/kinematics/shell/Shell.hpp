@@ -4,7 +4,7 @@
 #include "igaStructure/assembly/NodePattern.hpp"
 #include "igaStructure/assembly/StructuralModel.hpp"
 #include "igaStructure/kinematics/shell/edges/ShellConstraints.hpp"
-#include "igaStructure/kinematics/shell/element/ElementSweep.hpp"
+#include "igaStructure/kinematics/shell/element/ElementRows.hpp"
 #include "igaStructure/kinematics/shell/element/ShellDescription.hpp"
 #include "igaStructure/kinematics/shell/element/ShellNodes.hpp"
 #include "igaStructure/kinematics/shell/loads/DeadLoads.hpp"
@@ -45,7 +45,7 @@ class Shell : public StructuralModel {
     Internal internalForce(const Eigen::VectorXd& displacement,
                            SparseMatrix& tangent) const override;
     double strainEnergy(const Eigen::VectorXd& displacement) const override;
-    /// Those that follow are taken at rest by a linear shell.
+    /// Dead loads; a linear shell takes follower loads at rest.
     const Eigen::VectorXd& externalForce(double time) override;
     void addFollowerForce(const Eigen::VectorXd& displacement, double time,
                           Eigen::VectorXd& force) const override;
@@ -54,6 +54,7 @@ class Shell : public StructuralModel {
     bool hasSymmetricTangent() const override { return hasSymmetricTangent_; }
     const std::vector<bool>& fixed() const override { return constraints_.fixed; }
     std::vector<std::string> freeRigidMotions() const override;
+    std::vector<std::string> looseParts() const override;
     double size() const override { return description_.model.size(); }
 
     const ShellDescription& description() const { return description_; }
@@ -62,17 +63,18 @@ class Shell : public StructuralModel {
     const ShellPatches& patches() const { return patches_; }
     const ShellConstraints& constraints() const { return constraints_; }
 
-    /// Threads of assembly; if never said, as many as there are and work pays for. The
+    /// Sets the number of threads of assembly; by default as many as are available and pay. The
     /// result is the same for any number.
     void setThreads(int nThreads) { nThreads_ = nThreads; }
 
-    /// Of a point at a distance zeta from the middle surface, along its normal [m].
+    /// Displacement of a point at a distance zeta from the middle surface, along its normal [m].
     Eigen::Vector3d displacementAt(int face, const geometry::Parameters& at, double zeta,
                                    const Eigen::VectorXd& displacement) const;
 
     ShellState stateAt(int face, double xi, double eta, const Eigen::VectorXd& displacement) const;
 
   private:
+    std::vector<int> nodesOf(const ShellPart& part) const;
     struct Workspace;
     struct Totals;
     struct PointAnswer;
@@ -84,8 +86,8 @@ class Shell : public StructuralModel {
                                 bool withStiffness) const;
     void visitElement(ShellElement& element, int row, const Eigen::VectorXd& displacement,
                       SparseMatrix* tangent, Workspace& workspace, Totals& totals) const;
-    void addSprings(const Eigen::VectorXd& displacement, SparseMatrix* tangent,
-                    Eigen::VectorXd& force, double& energy) const;
+    void addCouplings(const Eigen::VectorXd& displacement, SparseMatrix* tangent,
+                      Eigen::VectorXd& force, double& energy) const;
     Internal evaluate(const Eigen::VectorXd& displacement, SparseMatrix* tangent,
                       double& energy) const;
     int nThreads() const;
@@ -94,7 +96,7 @@ class Shell : public StructuralModel {
     ShellDescription description_;
     ShellNodes nodes_;
     ShellPatches patches_;
-    std::unique_ptr<ElementSweep> sweep_;
+    std::unique_ptr<ElementRows> sweep_;
     ShellConstraints constraints_;
     std::unique_ptr<NodePattern> pattern_;
     std::unique_ptr<DeadLoads> deadLoads_;

@@ -2,14 +2,12 @@
 #include "igaStructure/kinematics/shell/ShellBody.hpp"
 
 #include "geometry/trimming/patchTriangles.hpp"
-#include "igaStructure/kinematics/shell/ShellTransfer.hpp"
 #include "igaStructure/kinematics/thinness.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 namespace tokay::structure {
@@ -48,7 +46,41 @@ Eigen::Vector2d principal(const Vector3d& tensor) {
 } // namespace
 
 ShellBody::ShellBody(ShellDescription description)
-    : shell_(std::move(description)), projector_(shell_.model()) {}
+    : shell_(std::move(description)), projector_(shell_.model()) {
+    add({"membraneForce", "N/m", 3, true, [this](const MotionState& state, const auto& locations) {
+             return resultant(&ShellState::force, state, locations);
+         }});
+    add({"bendingMoment", "N", 3, shell_.description().bending,
+         [this](const MotionState& state, const auto& locations) {
+             return resultant(&ShellState::moment, state, locations);
+         }});
+    add({"principalStressTop", "Pa", 2, false,
+         [this](const MotionState& state, const auto& locations) {
+             return principalStress(1, state, locations);
+         }});
+    add({"principalStressBottom", "Pa", 2, false,
+         [this](const MotionState& state, const auto& locations) {
+             return principalStress(-1, state, locations);
+         }});
+}
+
+namespace {
+
+// Joints that the geometry does not name: they may be meant as slits.
+std::string describeFoundJoints(const geometry::BrepModel& model) {
+    std::vector<std::string> found;
+    for (const geometry::BrepEdge& edge : model.edges()) {
+        if (edge.isFound) {
+            found.push_back(edge.name);
+        }
+    }
+    return found.empty() ? ""
+                         : fmt::format("  joined where edges coincide (geometry.slit: yes keeps "
+                                       "them open): {}\n",
+                                       fmt::join(found, ", "));
+}
+
+} // namespace
 
 std::string ShellBody::description() const {
     const ShellDescription& all = shell_.description();
@@ -64,14 +96,14 @@ std::string ShellBody::description() const {
     return fmt::format(
         "  {}, {} strains, {} patch{} with {} joint{}, degree {} x {}, {} elements and {} cut "
         "ones\n"
-        "  St. Venant-Kirchhoff: E {:g} Pa, nu {:g}, density {:g} kg/m^3, thickness {:g} to {:g} "
-        "m\n",
+        "  {}, thickness {:g} to {:g} m\n"
+        "{}",
         all.bending ? "Kirchhoff-Love shell" : "membrane",
         shell_.isLinear() ? "linear" : "nonlinear", shell_.patches().size(),
         shell_.patches().size() == 1 ? "" : "es", shell_.constraints().nJoints,
         shell_.constraints().nJoints == 1 ? "" : "s", first.u().degree(), first.v().degree(),
-        nElements, nCut, all.material.youngsModulus, all.material.poissonsRatio,
-        all.material.density, *thinnest, *thickest);
+        nElements, nCut, all.material.description(), *thinnest, *thickest,
+        describeFoundJoints(all.model));
 }
 
 std::vector<VtuMesh> ShellBody::meshes(const OutputOptions& options) const {
@@ -90,84 +122,65 @@ std::vector<VtuMesh> ShellBody::meshes(const OutputOptions& options) const {
     return meshes;
 }
 
-std::vector<std::string> ShellBody::fieldNames() const {
-    return {"displacement",  "velocity",           "acceleration",         "membraneForce",
-            "bendingMoment", "principalStressTop", "principalStressBottom"};
-}
-
-std::vector<std::string> ShellBody::defaultFields() const {
-    if (shell_.description().bending) {
-        return {"displacement", "velocity", "membraneForce", "bendingMoment"};
-    }
-    return {"displacement", "velocity", "membraneForce"};
-}
-
-MatrixXd ShellBody::positions(const std::vector<Place>& places) const {
-    MatrixXd values(3, places.size());
-    for (std::size_t k = 0; k < places.size(); ++k) {
-        const geometry::Points d = shell_.patches()[places[k].patch]->surface().derivatives(
-            places[k].xi, places[k].eta, 1);
+MatrixXd ShellBody::positions(const std::vector<Location>& locations) const {
+    MatrixXd values(3, locations.size());
+    for (std::size_t k = 0; k < locations.size(); ++k) {
+        const geometry::Points d = shell_.patches()[locations[k].patch]->surface().derivatives(
+            locations[k].xi, locations[k].eta, 1);
         values.col(k) = d.row(0).transpose();
-        if (places[k].zeta != 0) {
+        if (locations[k].zeta != 0) {
             const Vector3d normal =
                 d.row(1).transpose().head<3>().cross(d.row(2).transpose().head<3>());
-            values.col(k) += places[k].zeta * normal.normalized();
+            values.col(k) += locations[k].zeta * normal.normalized();
         }
     }
     return values;
 }
 
 MatrixXd ShellBody::displacements(const Eigen::VectorXd& displacement,
-                                  const std::vector<Place>& places) const {
-    MatrixXd values(3, places.size());
-    for (std::size_t k = 0; k < places.size(); ++k) {
-        const Place& place = places[k];
-        values.col(k) =
-            shell_.displacementAt(place.patch, {place.xi, place.eta}, place.zeta, displacement);
+                                  const std::vector<Location>& locations) const {
+    MatrixXd values(3, locations.size());
+    for (std::size_t k = 0; k < locations.size(); ++k) {
+        const Location& location = locations[k];
+        values.col(k) = shell_.displacementAt(location.patch, {location.xi, location.eta},
+                                              location.zeta, displacement);
     }
     return values;
 }
 
-MatrixXd ShellBody::field(const std::string& name, const MotionState& state,
-                          const std::vector<Place>& places) const {
-    if (name == "displacement") {
-        return displacements(state.displacement, places);
+MatrixXd ShellBody::resultant(Vector3d ShellState::*of, const MotionState& state,
+                              const Locations& locations) const {
+    MatrixXd values(3, locations.size());
+    for (std::size_t k = 0; k < locations.size(); ++k) {
+        const Location& at = locations[k];
+        values.col(k) = shell_.stateAt(at.patch, at.xi, at.eta, state.displacement).*of;
     }
-    if (name == "velocity") {
-        return displacements(state.velocity, places); // on the middle surface linear
-    }
-    if (name == "acceleration") {
-        return displacements(state.acceleration, places);
-    }
-    MatrixXd values(name == "membraneForce" || name == "bendingMoment" ? 3 : 2, places.size());
-    for (std::size_t k = 0; k < places.size(); ++k) {
-        const Place& place = places[k];
-        const ShellState at = shell_.stateAt(place.patch, place.xi, place.eta, state.displacement);
-        const double t = shell_.description().thickness[place.patch];
-        if (name == "membraneForce") {
-            values.col(k) = at.force;
-        } else if (name == "bendingMoment") {
-            values.col(k) = at.moment;
-        } else {
-            assert(name == "principalStressTop" || name == "principalStressBottom");
-            const double side = name == "principalStressTop" ? 1 : -1;
-            values.col(k) = principal(at.force / t + side * 6 / (t * t) * at.moment);
-        }
+    return values;
+}
+
+MatrixXd ShellBody::principalStress(double side, const MotionState& state,
+                                    const Locations& locations) const {
+    MatrixXd values(2, locations.size());
+    for (std::size_t k = 0; k < locations.size(); ++k) {
+        const Location& at = locations[k];
+        const ShellState is = shell_.stateAt(at.patch, at.xi, at.eta, state.displacement);
+        const double t = shell_.description().thickness[at.patch];
+        values.col(k) = principal(is.force / t + side * 6 / (t * t) * is.moment);
     }
     return values;
 }
 
 Body::Closest ShellBody::closest(const geometry::Point& point) const {
     const geometry::ModelProjection found = projector_.closest(point);
-    Place place{found.face, found.xi, found.eta, 0};
+    Location location{found.face, found.xi, found.eta, 0};
     const geometry::Points d =
         shell_.patches()[found.face]->surface().derivatives(found.xi, found.eta, 1);
     const Vector3d a1 = d.row(1);
     const Vector3d a2 = d.row(2);
     const double half = 0.5 * shell_.description().thickness[found.face];
     const double along = (point - d.row(0).transpose()).dot(a1.cross(a2).normalized());
-    place.zeta = std::clamp(along, -half, half);
-    return {place, (positions({place}).col(0) - point).norm()};
+    location.zeta = std::clamp(along, -half, half);
+    return {location, (positions({location}).col(0) - point).norm()};
 }
 
 double ShellBody::thickness() const {
@@ -179,7 +192,6 @@ double ShellBody::massPerWetArea() const {
     return shell_.description().material.density * thickness();
 }
 
-// Over all faces, of thickness over radius of curvature.
 double ShellBody::largestThicknessOverRadius() const {
     double largest = 0;
     for (std::size_t face = 0; face < shell_.patches().size(); ++face) {
@@ -194,17 +206,17 @@ std::vector<std::string> ShellBody::advice() const {
     const double thickest = *std::max_element(all.thickness.begin(), all.thickness.end());
     const double slenderness = shell_.size() / thickest;
     if (!all.bending) {
-        const double stiffness =
-            all.material.youngsModulus / (1 - std::pow(all.material.poissonsRatio, 2));
-        return {fmt::format("slenderness (size over thickness) {:.3g}{}", slenderness,
-                            leftOutBending(thickest, stiffness, all.prestress.maxCoeff()))};
+        return {fmt::format(
+            "slenderness (size over thickness) {:.3g}{}", slenderness,
+            leftOutBending(thickest, all.material.planeStressModulus(), all.prestress.maxCoeff()))};
     }
     constexpr double least = 10; // shear adds about a percent to a plate's deflection
-    std::vector<std::string> lines = {
-        fmt::format("slenderness (size over thickness) {:.3g}{}", slenderness,
-                    slenderness < least ? ": shear deformation, which a Kirchhoff-Love shell "
-                                          "leaves out, is not small"
-                                        : ": in the range of a Kirchhoff-Love shell")};
+    std::vector<std::string> lines = {fmt::format(
+        "slenderness (size over thickness) {:.3g}{}", slenderness,
+        slenderness < least                  ? ": shear deformation, which a Kirchhoff-Love shell "
+                                               "leaves out, is not small"
+        : tooThinToBend(slenderness).empty() ? ": in the range of a Kirchhoff-Love shell"
+                                             : tooThinToBend(slenderness))};
     constexpr double thick = 0.1;
     if (const double share = largestThicknessOverRadius(); share > 1e-6) {
         lines.push_back(fmt::format("thickness over radius of curvature {:.3g}, terms of which "
@@ -214,9 +226,12 @@ std::vector<std::string> ShellBody::advice() const {
     return lines;
 }
 
-std::unique_ptr<InterfaceTransfer> ShellBody::transfer(const Coupling& coupling,
-                                                       const geometry::Points& points) const {
-    return std::make_unique<ShellTransfer>(shell_, coupling, points);
+WetSurface ShellBody::wetSurface(const std::vector<std::string>& /*names*/) const {
+    std::vector<mapper::SurfacePiece> pieces;
+    for (const auto& patch : shell_.patches()) {
+        pieces.push_back({patch->patch(), patch->nodes(), patch->patch().name()});
+    }
+    return mapper::SurfaceInterface(std::move(pieces), shell_.nodes().count());
 }
 
 } // namespace tokay::structure

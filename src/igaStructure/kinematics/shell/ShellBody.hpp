@@ -18,24 +18,26 @@ class ShellBody : public Body {
     std::string description() const override;
     std::vector<VtuMesh> meshes(const OutputOptions& options) const override;
 
-    /// membraneForce [N/m], bendingMoment [N]: 11, 22, 12 in the frame along the
-    /// first parameter line; principalStressTop, principalStressBottom: larger and
-    /// smaller one [Pa], top being where the normal points.
-    std::vector<std::string> fieldNames() const override;
-    std::vector<std::string> defaultFields() const override;
-    Eigen::MatrixXd positions(const std::vector<Place>& places) const override;
+    Eigen::MatrixXd positions(const std::vector<Location>& locations) const override;
     Eigen::MatrixXd displacements(const Eigen::VectorXd& displacement,
-                                  const std::vector<Place>& places) const override;
-    Eigen::MatrixXd field(const std::string& name, const MotionState& state,
-                          const std::vector<Place>& places) const override;
+                                  const std::vector<Location>& locations) const override;
     Closest closest(const geometry::Point& point) const override;
     double massPerWetArea() const override;
     double thickness() const override;
     std::vector<std::string> advice() const override;
-    std::unique_ptr<InterfaceTransfer> transfer(const Coupling& coupling,
-                                                const geometry::Points& points) const override;
 
   private:
+    using Locations = std::vector<Location>;
+
+    WetSurface wetSurface(const std::vector<std::string>& names) const override;
+    /// A resultant in the order 11, 22, 12, in the frame along the first parameter line.
+    Eigen::MatrixXd resultant(Eigen::Vector3d ShellState::*of, const MotionState& state,
+                              const Locations& locations) const;
+    /// Larger and smaller principal stress [Pa].
+    /// @param side  1: the top, where the normal points; -1: the bottom
+    Eigen::MatrixXd principalStress(double side, const MotionState& state,
+                                    const Locations& locations) const;
+    /// Largest ratio over all faces.
     double largestThicknessOverRadius() const;
 
     Shell shell_;

@@ -9,7 +9,7 @@ namespace tokay::structure {
 
 class CaseSection;
 
-/// What a case file says of a shell or membrane.
+/// Reads the description of a shell or membrane.
 /// @param directory  of the case file
 ShellDescription readShell(const CaseSection& file, const std::string& directory);
 

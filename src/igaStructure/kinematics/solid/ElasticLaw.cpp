@@ -54,10 +54,7 @@ Vector6d strainVector(const Matrix3d& strain) {
 }
 
 ElasticLaw::ElasticLaw(const ElasticMaterial& material)
-    : law_(material.law),
-      lambda_(material.youngsModulus * material.poissonsRatio /
-              ((1 + material.poissonsRatio) * (1 - 2 * material.poissonsRatio))),
-      mu_(material.youngsModulus / (2 * (1 + material.poissonsRatio))),
+    : law_(material.law), lambda_(material.lambda()), mu_(material.mu()),
       stiffness_(isotropic(lambda_, mu_)) {
     if (law_ == MaterialLaw::incompressibleNeoHookean) {
         throw InputError("a solid cannot be incompressible: take neoHookean with a Poisson's ratio "

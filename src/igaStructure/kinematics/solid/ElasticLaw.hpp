@@ -13,7 +13,7 @@ namespace tokay::structure {
 Eigen::Matrix3d symmetricOfStress(const Vector6d& stress);
 Vector6d strainVector(const Eigen::Matrix3d& strain);
 
-/// What a material answers to a Green-Lagrange strain.
+/// Stress, tangent and energy of a material at a Green-Lagrange strain.
 struct ElasticResponse {
     Vector6d stress;   ///< second Piola-Kirchhoff [Pa]
     Matrix6d tangent;  ///< of the stress by the strain [Pa]

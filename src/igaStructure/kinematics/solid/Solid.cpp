@@ -40,11 +40,22 @@ struct Solid::Totals {
     std::vector<double> smallestRatios;
 };
 
+namespace {
+
+std::vector<geometry::KnotVector> directions(const geometry::NurbsVolume& volume) {
+    return {volume.u(), volume.v(), volume.w()};
+}
+
+} // namespace
+
 Solid::Solid(SolidDescription description)
     : description_(std::make_unique<const SolidDescription>(std::move(description))),
-      law_(material()), fixed_(fixedUnknowns(volume(), description_->supports)),
-      hasSymmetricTangent_(isLinear() || pressuresHavePotential(*description_, fixed_)),
-      grid_(volume()), rows_(nodesOfRows()), pattern_(3, neighbours()),
+      nodes_(std::make_unique<const PatchNodes>(directions(volume()), volume().controlPoints(),
+                                                volume().weights(), description_->isSlit)),
+      law_(material()), fixed_(nodes_->fixed(fixedUnknowns(volume(), description_->supports))),
+      hasSymmetricTangent_(isLinear() || pressuresHavePotential(*description_, *nodes_)),
+      grid_(volume(), *nodes_), rows_(nodesOfRows()),
+      pattern_(3, nodes_->neighbours(directions(volume()))),
       loading_(std::make_unique<SolidLoading>(*description_)) {
     forEachElement([](SolidElement& element, int, int) {
         for (int point = 0; point < element.nPoints(); ++point) {
@@ -72,38 +83,12 @@ std::vector<std::vector<int>> Solid::nodesOfRows() const {
         std::vector<int>& own = nodes[row];
         for (int i = 0; i < grid_.basis[0].nSpans(); ++i) {
             element.moveToElement(elementOfRow(static_cast<int>(row), i));
-            own.insert(own.end(), element.controlPoints().begin(), element.controlPoints().end());
+            own.insert(own.end(), element.nodes().begin(), element.nodes().end());
         }
         std::sort(own.begin(), own.end());
         own.erase(std::unique(own.begin(), own.end()), own.end());
     }
     return nodes;
-}
-
-// Functions whose numbers differ by no more than the degree along each direction; a
-// few of them share no element, where knots are multiple.
-std::vector<std::vector<int>> Solid::neighbours() const {
-    std::vector<std::vector<int>> all(volume().nControlPoints());
-    const auto range = [&](int axis, int i) {
-        const geometry::KnotVector& knots = volume().direction(axis);
-        return std::pair(std::max(0, i - knots.degree()),
-                         std::min(knots.nBasis() - 1, i + knots.degree()));
-    };
-    const int nU = volume().u().nBasis();
-    const int nV = volume().v().nBasis();
-    for (int node = 0; node < static_cast<int>(all.size()); ++node) {
-        const auto [firstU, lastU] = range(0, node % nU);
-        const auto [firstV, lastV] = range(1, node / nU % nV);
-        const auto [firstW, lastW] = range(2, node / nU / nV);
-        for (int k = firstW; k <= lastW; ++k) {
-            for (int j = firstV; j <= lastV; ++j) {
-                for (int i = firstU; i <= lastU; ++i) {
-                    all[node].push_back(i + nU * (j + nV * k));
-                }
-            }
-        }
-    }
-    return all;
 }
 
 template <class Visit>
@@ -134,7 +119,7 @@ SparseMatrix Solid::massMatrix() const {
                 full.block<3, 3>(3 * k, 3 * l).diagonal().setConstant(scalar(k, l));
             }
         }
-        pattern_.add(element.controlPoints(), full, mass.valuePtr());
+        pattern_.add(element.nodes(), full, mass.valuePtr());
     });
     return mass;
 }
@@ -184,7 +169,7 @@ void Solid::visitElement(SolidElement& element, int row, const VectorXd& displac
     }
     element.scatter(workspace.force, totals.force);
     if (tangent) {
-        pattern_.add(element.controlPoints(), workspace.tangent.finish(), tangent->valuePtr());
+        pattern_.add(element.nodes(), workspace.tangent.finish(), tangent->valuePtr());
     }
 }
 
@@ -221,31 +206,36 @@ double Solid::strainEnergy(const VectorXd& displacement) const {
 }
 
 const VectorXd& Solid::externalForce(double time) {
-    externalForce_ = loading_->deadForce(time);
+    externalForce_ = nodes_->toNodes(loading_->deadForce(time));
     if (isLinear()) {
-        loading_->addPressure(VectorXd::Zero(nUnknowns()), time, externalForce_);
+        addPressure(VectorXd::Zero(nUnknowns()), time, externalForce_);
     }
     return externalForce_;
 }
 
 void Solid::addFollowerForce(const VectorXd& displacement, double time, VectorXd& force) const {
     if (!isLinear()) {
-        loading_->addPressure(displacement, time, force);
+        addPressure(displacement, time, force);
     }
+}
+
+void Solid::addPressure(const VectorXd& displacement, double time, VectorXd& force) const {
+    force += nodes_->toNodes(loading_->pressure(nodes_->toControlPoints(displacement), time));
 }
 
 void Solid::subtractFollowerDerivative(const VectorXd& displacement, double time,
                                        SparseMatrix& tangent) const {
     if (!isLinear()) {
-        loading_->subtractPressureDerivative(displacement, time, pattern_, tangent.valuePtr());
+        loading_->subtractPressureDerivative(nodes_->toControlPoints(displacement), time, *nodes_,
+                                             pattern_, tangent.valuePtr());
     }
 }
 
 std::vector<std::string> Solid::freeRigidMotions() const {
     RigidMotions motions(volume().controlPoints());
-    for (int k = 0; k < volume().nControlPoints(); ++k) {
+    for (int k = 0; k < nodes_->nControlPoints(); ++k) {
         for (int c = 0; c < 3; ++c) {
-            if (fixed_[3 * k + c]) {
+            if (fixed_[3 * nodes_->of(k) + c]) {
                 motions.holdPoint(volume().controlPoints().row(k), Vector3d::Unit(c));
             }
         }
@@ -279,7 +269,7 @@ SolidState Solid::stateAt(const Vector3d& parameters, const VectorXd& displaceme
     SolidElement::Coefficients u(3, n);
     SolidElement::Coefficients x(3, n);
     for (Eigen::Index a = 0; a < n; ++a) {
-        u.col(a) = displacement.segment<3>(3 * basis.controlPoints[a]);
+        u.col(a) = displacement.segment<3>(3 * nodes_->of(basis.controlPoints[a]));
         x.col(a) = volume().controlPoints().row(basis.controlPoints[a]).transpose();
     }
     const Matrix3d jacobian = basis.N.bottomRows<3>() * x.transpose();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "igaStructure/assembly/ColouredAssembly.hpp"
 #include "igaStructure/assembly/NodePattern.hpp"
-#include "igaStructure/assembly/RowColours.hpp"
 #include "igaStructure/assembly/StructuralModel.hpp"
 #include "igaStructure/kinematics/solid/ElasticLaw.hpp"
 #include "igaStructure/kinematics/solid/SolidDescription.hpp"
@@ -22,15 +22,21 @@ struct SolidState {
 };
 
 /// Isoparametric trivariate NURBS volume (total Lagrangian), degree + 1 Gauss points
-/// a direction and element. Unknown 3 k + c is component c of control point k.
+/// a direction and element. Unknown 3 k + c is component c of node k.
 class Solid : public StructuralModel {
   public:
     /// @throws InputError if the volume is turned inside out somewhere, or for an
     ///         incompressible material
     explicit Solid(SolidDescription description);
 
-    int nUnknowns() const override { return 3 * volume().nControlPoints(); }
+    int nUnknowns() const override { return 3 * nodes_->count(); }
     int nComponents() const override { return 3; }
+    Eigen::VectorXd controlDisplacements(const Eigen::VectorXd& unknowns) const override {
+        return nodes_->toControlPoints(unknowns);
+    }
+    Eigen::VectorXd onUnknowns(const Eigen::VectorXd& onControlPoints) const override {
+        return nodes_->toNodes(onControlPoints);
+    }
     bool isLinear() const override { return description_->strains == Strains::linear; }
     SparseMatrix massMatrix() const override;
     /// Row sums of the consistent one.
@@ -53,6 +59,7 @@ class Solid : public StructuralModel {
     double size() const override;
 
     const geometry::NurbsVolume& volume() const { return description_->volume; }
+    const PatchNodes& nodes() const { return *nodes_; }
     const ElasticMaterial& material() const { return description_->material; }
     int nElements() const { return grid_.nElements(); }
     /// [kg]
@@ -85,17 +92,19 @@ class Solid : public StructuralModel {
     // Calls visit(element, row, thread) for all elements; rows run along xi.
     template <class Visit>
     void forEachElement(Visit visit) const;
+    void addPressure(const Eigen::VectorXd& displacement, double time,
+                     Eigen::VectorXd& force) const;
     int nThreads() const;
     Eigen::Vector3i elementOfRow(int row, int element) const;
     std::vector<std::vector<int>> nodesOfRows() const;
-    std::vector<std::vector<int>> neighbours() const;
 
     std::unique_ptr<const SolidDescription> description_; ///< keeps its place when moved
+    std::unique_ptr<const PatchNodes> nodes_;
     ElasticLaw law_;
     std::vector<bool> fixed_;
     bool hasSymmetricTangent_;
     SolidGrid grid_;
-    RowColours rows_;
+    ColouredAssembly rows_;
     NodePattern pattern_;
     std::unique_ptr<SolidLoading> loading_;
     Eigen::VectorXd externalForce_;

@@ -2,15 +2,12 @@
 #include "igaStructure/kinematics/solid/SolidBody.hpp"
 
 #include "igaStructure/kinematics/solid/SidePoints.hpp"
-#include "igaStructure/kinematics/solid/SolidTransfer.hpp"
 #include "igaStructure/kinematics/vonMises.hpp"
 #include "igaStructure/output/volumeMesh.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <fmt/format.h>
-
-#include <cassert>
 
 namespace tokay::structure {
 
@@ -19,8 +16,8 @@ using Eigen::Vector3d;
 
 namespace {
 
-Vector3d parameters(const Place& place) {
-    return {place.xi, place.eta, place.zeta};
+Vector3d parameters(const Location& location) {
+    return {location.xi, location.eta, location.zeta};
 }
 
 // Descending, of stresses in the order xx yy zz xy yz xz.
@@ -39,19 +36,28 @@ MatrixXd principalStresses(const MatrixXd& stress) {
 } // namespace
 
 SolidBody::SolidBody(SolidDescription description)
-    : solid_(std::move(description)), projector_(solid_.volume()) {}
+    : solid_(std::move(description)), projector_(solid_.volume()) {
+    add({"stress", "Pa", 6, true, [this](const MotionState& state, const auto& locations) {
+             return stress(state.displacement, locations);
+         }});
+    add({"vonMisesStress", "Pa", 1, false, [this](const MotionState& state, const auto& locations) {
+             return vonMises(stress(state.displacement, locations));
+         }});
+    add({"principalStress", "Pa", 3, false,
+         [this](const MotionState& state, const auto& locations) {
+             return principalStresses(stress(state.displacement, locations));
+         }});
+}
 
 std::string SolidBody::description() const {
     const geometry::NurbsVolume& volume = solid_.volume();
-    const ElasticMaterial& material = solid_.material();
-    return fmt::format(
-        "  solid, {} strains, degree {} x {} x {}, {} x {} x {} elements{}\n"
-        "  {}: E {:g} Pa, nu {:g}, density {:g} kg/m^3, mass {:.4g} kg\n",
-        solid_.isLinear() ? "linear" : "nonlinear", volume.u().degree(), volume.v().degree(),
-        volume.w().degree(), volume.u().nSpans(), volume.v().nSpans(), volume.w().nSpans(),
-        volume.isRational() ? ", rational" : "",
-        material.law == MaterialLaw::neoHookean ? "neo-Hookean" : "St. Venant-Kirchhoff",
-        material.youngsModulus, material.poissonsRatio, material.density, solid_.mass());
+    return fmt::format("  solid, {} strains, degree {} x {} x {}, {} x {} x {} elements{}{}\n"
+                       "  {}, mass {:.4g} kg\n",
+                       solid_.isLinear() ? "linear" : "nonlinear", volume.u().degree(),
+                       volume.v().degree(), volume.w().degree(), volume.u().nSpans(),
+                       volume.v().nSpans(), volume.w().nSpans(),
+                       volume.isRational() ? ", rational" : "", solid_.nodes().description(),
+                       solid_.material().description(), solid_.mass());
 }
 
 std::vector<VtuMesh> SolidBody::meshes(const OutputOptions& options) const {
@@ -60,63 +66,36 @@ std::vector<VtuMesh> SolidBody::meshes(const OutputOptions& options) const {
                 : hexahedronMesh(solid_.volume(), options.subdivision)};
 }
 
-std::vector<std::string> SolidBody::fieldNames() const {
-    return {"displacement", "velocity",       "acceleration",
-            "stress",       "vonMisesStress", "principalStress"};
-}
-
-std::vector<std::string> SolidBody::defaultFields() const {
-    return {"displacement", "velocity", "stress"};
-}
-
-MatrixXd SolidBody::positions(const std::vector<Place>& places) const {
-    MatrixXd values(3, places.size());
-    for (std::size_t k = 0; k < places.size(); ++k) {
-        values.col(k) = solid_.volume().point(parameters(places[k]));
+MatrixXd SolidBody::positions(const std::vector<Location>& locations) const {
+    MatrixXd values(3, locations.size());
+    for (std::size_t k = 0; k < locations.size(); ++k) {
+        values.col(k) = solid_.volume().point(parameters(locations[k]));
     }
     return values;
 }
 
 MatrixXd SolidBody::displacements(const Eigen::VectorXd& displacement,
-                                  const std::vector<Place>& places) const {
-    MatrixXd values = MatrixXd::Zero(3, places.size());
-    for (std::size_t k = 0; k < places.size(); ++k) {
-        const geometry::VolumeBasis basis = solid_.volume().basis(parameters(places[k]));
+                                  const std::vector<Location>& locations) const {
+    MatrixXd values = MatrixXd::Zero(3, locations.size());
+    for (std::size_t k = 0; k < locations.size(); ++k) {
+        const geometry::VolumeBasis basis = solid_.volume().basis(parameters(locations[k]));
         for (std::size_t a = 0; a < basis.controlPoints.size(); ++a) {
             values.col(k) += basis.N(0, static_cast<Eigen::Index>(a)) *
-                             displacement.segment<3>(3 * basis.controlPoints[a]);
+                             displacement.segment<3>(3 * solid_.nodes().of(basis.controlPoints[a]));
         }
     }
     return values;
 }
 
 MatrixXd SolidBody::stress(const Eigen::VectorXd& displacement,
-                           const std::vector<Place>& places) const {
-    MatrixXd values(6, places.size());
-    for (std::size_t k = 0; k < places.size(); ++k) {
-        const Eigen::Matrix3d s = solid_.stateAt(parameters(places[k]), displacement).cauchyStress;
+                           const std::vector<Location>& locations) const {
+    MatrixXd values(6, locations.size());
+    for (std::size_t k = 0; k < locations.size(); ++k) {
+        const Eigen::Matrix3d s =
+            solid_.stateAt(parameters(locations[k]), displacement).cauchyStress;
         values.col(k) << s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(0, 2);
     }
     return values;
-}
-
-MatrixXd SolidBody::field(const std::string& name, const MotionState& state,
-                          const std::vector<Place>& places) const {
-    if (name == "displacement") {
-        return displacements(state.displacement, places);
-    }
-    if (name == "velocity") {
-        return displacements(state.velocity, places); // linear in the unknowns
-    }
-    if (name == "acceleration") {
-        return displacements(state.acceleration, places);
-    }
-    const MatrixXd values = stress(state.displacement, places);
-    if (name == "stress") {
-        return values;
-    }
-    assert(name == "vonMisesStress" || name == "principalStress");
-    return name == "vonMisesStress" ? vonMises(values) : principalStresses(values);
 }
 
 Body::Closest SolidBody::closest(const geometry::Point& point) const {
@@ -150,9 +129,15 @@ std::vector<std::string> SolidBody::advice() const {
                             : "")};
 }
 
-std::unique_ptr<InterfaceTransfer> SolidBody::transfer(const Coupling& coupling,
-                                                       const geometry::Points& points) const {
-    return std::make_unique<SolidTransfer>(solid_, coupling, points);
+WetSurface SolidBody::wetSurface(const std::vector<std::string>& names) const {
+    std::vector<mapper::SurfacePiece> pieces;
+    for (const std::string& name : names) {
+        geometry::BoundarySurface boundary =
+            solid_.volume().boundarySurface(geometry::sideFromName(name));
+        pieces.push_back({geometry::TrimmedPatch(std::move(boundary.surface), name),
+                          std::move(boundary.controlPoints), name});
+    }
+    return mapper::SurfaceInterface(std::move(pieces), solid_.volume().nControlPoints());
 }
 
 } // namespace tokay::structure

@@ -7,7 +7,7 @@
 
 namespace tokay::structure {
 
-/// A trivariate solid; the zeta of its places is a parameter.
+/// A trivariate solid; the zeta of its locations is a parameter.
 class SolidBody : public Body {
   public:
     explicit SolidBody(SolidDescription description);
@@ -18,25 +18,21 @@ class SolidBody : public Body {
     std::string description() const override;
     std::vector<VtuMesh> meshes(const OutputOptions& options) const override;
 
-    /// stress: Cauchy's, in the order xx yy zz xy yz xz; principalStress: descending.
-    std::vector<std::string> fieldNames() const override;
-    std::vector<std::string> defaultFields() const override;
-    Eigen::MatrixXd positions(const std::vector<Place>& places) const override;
+    Eigen::MatrixXd positions(const std::vector<Location>& locations) const override;
     Eigen::MatrixXd displacements(const Eigen::VectorXd& displacement,
-                                  const std::vector<Place>& places) const override;
-    Eigen::MatrixXd field(const std::string& name, const MotionState& state,
-                          const std::vector<Place>& places) const override;
+                                  const std::vector<Location>& locations) const override;
     Closest closest(const geometry::Point& point) const override;
-    /// Of the whole body, over half its surface: of a slender one, its section's.
+    /// Mass over half the surface: of a slender body, that of its section.
     double massPerWetArea() const override;
     double thickness() const override { return massPerWetArea() / solid_.material().density; }
     std::vector<std::string> advice() const override;
-    std::unique_ptr<InterfaceTransfer> transfer(const Coupling& coupling,
-                                                const geometry::Points& points) const override;
 
   private:
+    WetSurface wetSurface(const std::vector<std::string>& names) const override;
+    /// Cauchy's, in the order xx yy zz xy yz xz.
     Eigen::MatrixXd stress(const Eigen::VectorXd& displacement,
-                           const std::vector<Place>& places) const;
+                           const std::vector<Location>& locations) const;
+    /// Area of all six sides [m^2].
     double surfaceArea() const;
 
     Solid solid_;

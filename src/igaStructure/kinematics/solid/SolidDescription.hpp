@@ -4,14 +4,13 @@
 #include "geometry/spline/NurbsVolume.hpp"
 #include "igaStructure/assembly/ElasticMaterial.hpp"
 #include "igaStructure/assembly/Field.hpp"
-#include "igaStructure/assembly/Strains.hpp"
 
 #include <array>
 #include <vector>
 
 namespace tokay::structure {
 
-/// What is held: a side, or where several sides meet, an edge or a corner.
+/// Support of a side, or of the edge or corner at which several sides meet.
 struct SolidSupport {
     std::vector<geometry::Side> sides;
     std::array<bool, 3> fixed = {false, false, false};
@@ -33,13 +32,14 @@ struct SolidLoads {
     std::vector<VectorField> gravities; ///< acceleration [m/s^2]
 };
 
-/// All that makes a solid.
+/// Description of a solid: volume, material, supports and loads.
 struct SolidDescription {
     geometry::NurbsVolume volume; ///< in the basis of the displacement
     ElasticMaterial material = {};
     Strains strains = Strains::nonlinear;
     std::vector<SolidSupport> supports = {};
     SolidLoads loads = {};
+    bool isSlit = false; ///< opposite sides that coincide stay apart
 };
 
 } // namespace tokay::structure

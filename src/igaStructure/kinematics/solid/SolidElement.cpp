@@ -16,8 +16,9 @@ TabulatedBasis tabulated(const geometry::KnotVector& knots, int additionalPoints
 
 } // namespace
 
-SolidGrid::SolidGrid(const geometry::NurbsVolume& volume_, int additionalPoints)
-    : volume(volume_),
+SolidGrid::SolidGrid(const geometry::NurbsVolume& volume_, const PatchNodes& nodes_,
+                     int additionalPoints)
+    : volume(volume_), nodes(nodes_),
       basis{tabulated(volume.u(), additionalPoints), tabulated(volume.v(), additionalPoints),
             tabulated(volume.w(), additionalPoints)} {}
 
@@ -30,7 +31,7 @@ int SolidGrid::nPointsPerElement() const {
 }
 
 SolidElement::SolidElement(const SolidGrid& grid)
-    : grid_(&grid), controlPoints_(grid.nFunctions()), coordinates_(3, grid.nFunctions()),
+    : grid_(&grid), nodes_(grid.nFunctions()), coordinates_(3, grid.nFunctions()),
       weights_(grid.nFunctions()), values_(grid.nFunctions()), derivatives_(3, grid.nFunctions()),
       gradients_(3, grid.nFunctions()) {}
 
@@ -47,7 +48,7 @@ void SolidElement::moveToElement(const Eigen::Vector3i& spans) {
                 const int point =
                     number(0, i) +
                     volume.u().nBasis() * (number(1, j) + volume.v().nBasis() * number(2, k));
-                controlPoints_[a] = point;
+                nodes_[a] = grid_->nodes.of(point);
                 coordinates_.col(a) = volume.controlPoints().row(point).transpose();
                 weights_[a] = volume.isRational() ? volume.weights()[point] : 1;
             }
@@ -105,13 +106,13 @@ void SolidElement::makeRational() {
 void SolidElement::gather(const Eigen::VectorXd& values, Coefficients& local) const {
     local.resize(3, nFunctions());
     for (int a = 0; a < nFunctions(); ++a) {
-        local.col(a) = values.segment<3>(3 * controlPoints_[a]);
+        local.col(a) = values.segment<3>(3 * nodes_[a]);
     }
 }
 
 void SolidElement::scatter(const Coefficients& local, Eigen::VectorXd& values) const {
     for (int a = 0; a < nFunctions(); ++a) {
-        values.segment<3>(3 * controlPoints_[a]) += local.col(a);
+        values.segment<3>(3 * nodes_[a]) += local.col(a);
     }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/spline/NurbsVolume.hpp"
+#include "igaStructure/assembly/PatchNodes.hpp"
 #include "igaStructure/assembly/TabulatedBasis.hpp"
 
 #include <Eigen/Core>
@@ -14,14 +15,17 @@ namespace tokay::structure {
 
 /// A volume with its functions at the Gauss points of every direction.
 struct SolidGrid {
-    /// @param additionalPoints  a direction, beyond degree + 1
-    explicit SolidGrid(const geometry::NurbsVolume& volume, int additionalPoints = 0);
+    /// @param nodes             of the control points
+    /// @param additionalPoints  per direction, beyond degree + 1
+    SolidGrid(const geometry::NurbsVolume& volume, const PatchNodes& nodes,
+              int additionalPoints = 0);
 
     int nElements() const { return basis[0].nSpans() * basis[1].nSpans() * basis[2].nSpans(); }
     int nFunctions() const;
     int nPointsPerElement() const;
 
     const geometry::NurbsVolume& volume; ///< borrowed
+    const PatchNodes& nodes;             ///< borrowed
     std::array<TabulatedBasis, 3> basis;
 };
 
@@ -36,14 +40,14 @@ class SolidElement {
     /// The grid is borrowed.
     explicit SolidElement(const SolidGrid& grid);
 
-    int nFunctions() const { return static_cast<int>(controlPoints_.size()); }
+    int nFunctions() const { return static_cast<int>(nodes_.size()); }
     int nPoints() const { return grid_->nPointsPerElement(); }
 
     void moveToElement(const Eigen::Vector3i& spans);
     void moveToPoint(int point);
 
-    /// Control point of each function.
-    const std::vector<int>& controlPoints() const { return controlPoints_; }
+    /// Node of each function.
+    const std::vector<int>& nodes() const { return nodes_; }
     const Eigen::VectorXd& values() const { return values_; }
     /// Column a: gradient of function a [1/m].
     const Gradients& gradients() const { return gradients_; }
@@ -51,7 +55,7 @@ class SolidElement {
     /// Quadrature weight times volume element [m^3].
     double volume() const { return volume_; }
 
-    /// Columns of a vector with three entries a control point that belong to the functions.
+    /// Columns of a vector with three entries per node that belong to the functions.
     void gather(const Eigen::VectorXd& values, Coefficients& local) const;
     void scatter(const Coefficients& local, Eigen::VectorXd& values) const;
 
@@ -64,7 +68,7 @@ class SolidElement {
 
     const SolidGrid* grid_;
     Eigen::Vector3i spans_ = Eigen::Vector3i::Zero();
-    std::vector<int> controlPoints_;
+    std::vector<int> nodes_;
     Coefficients coordinates_;
     Eigen::VectorXd weights_;
     Eigen::VectorXd values_;

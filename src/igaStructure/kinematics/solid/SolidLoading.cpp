@@ -88,7 +88,9 @@ void SolidLoading::addDead(double time, bool varying, VectorXd& force) const {
 
 void SolidLoading::addGravity(const VectorField& gravity, double time, VectorXd& force) const {
     constexpr int additionalPoints = 1; // formulas need not be polynomials
-    const SolidGrid grid(volume_, additionalPoints);
+    const PatchNodes controlPoints({volume_.u(), volume_.v(), volume_.w()}, volume_.controlPoints(),
+                                   volume_.weights(), true);
+    const SolidGrid grid(volume_, controlPoints, additionalPoints);
     SolidElement element(grid);
     SolidElement::Coefficients local(3, grid.nFunctions());
     for (int number = 0; number < grid.nElements(); ++number) {
@@ -106,7 +108,8 @@ void SolidLoading::addGravity(const VectorField& gravity, double time, VectorXd&
     }
 }
 
-void SolidLoading::addPressure(const VectorXd& displacement, double time, VectorXd& force) const {
+VectorXd SolidLoading::pressure(const VectorXd& displacement, double time) const {
+    VectorXd force = VectorXd::Zero(displacement.size());
     for (const SolidLoads::Pressure& load : loads_.pressures) {
         const SidePoints& side = *sides_[static_cast<int>(load.side)];
         for (const SideElement& element : side.elements()) {
@@ -118,10 +121,12 @@ void SolidLoading::addPressure(const VectorXd& displacement, double time, Vector
             }
         }
     }
+    return force;
 }
 
 void SolidLoading::subtractPressureDerivative(const VectorXd& displacement, double time,
-                                              const NodePattern& pattern, double* values) const {
+                                              const PatchNodes& nodes, const NodePattern& pattern,
+                                              double* values) const {
     for (const SolidLoads::Pressure& load : loads_.pressures) {
         const SidePoints& side = *sides_[static_cast<int>(load.side)];
         for (const SideElement& element : side.elements()) {
@@ -140,7 +145,7 @@ void SolidLoading::subtractPressureDerivative(const VectorXd& displacement, doub
                     }
                 }
             }
-            pattern.add(element.controlPoints, -derivative, values);
+            pattern.add(nodes.of(element.controlPoints), -derivative, values);
         }
     }
 }

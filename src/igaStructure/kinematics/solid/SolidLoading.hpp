@@ -2,6 +2,7 @@
 #pragma once
 
 #include "igaStructure/assembly/NodePattern.hpp"
+#include "igaStructure/assembly/PatchNodes.hpp"
 #include "igaStructure/kinematics/solid/SolidDescription.hpp"
 
 #include <Eigen/Core>
@@ -19,18 +20,19 @@ class SolidLoading {
     explicit SolidLoading(const SolidDescription& description);
     ~SolidLoading();
 
-    /// By tractions and gravity [N].
+    /// Forces of tractions and gravity [N].
     /// @throws InputError if a formula's value is not finite
     Eigen::VectorXd deadForce(double time) const;
 
-    /// Pressures on the current area.
-    void addPressure(const Eigen::VectorXd& displacement, double time,
-                     Eigen::VectorXd& force) const;
+    /// Forces of the pressures, on the current area [N].
+    /// @param displacement  of the control points
+    Eigen::VectorXd pressure(const Eigen::VectorXd& displacement, double time) const;
 
     /// Subtracts the pressures' derivative, which need not be symmetric, from the
-    /// values of a matrix made by the pattern.
+    /// values of a matrix made by the pattern of the nodes.
     void subtractPressureDerivative(const Eigen::VectorXd& displacement, double time,
-                                    const NodePattern& pattern, double* values) const;
+                                    const PatchNodes& nodes, const NodePattern& pattern,
+                                    double* values) const;
 
   private:
     void addDead(double time, bool varying, Eigen::VectorXd& force) const;

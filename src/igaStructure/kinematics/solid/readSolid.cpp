@@ -3,6 +3,7 @@
 
 #include "igaStructure/caseFile/CaseSection.hpp"
 #include "igaStructure/caseFile/requireUsed.hpp"
+#include "igaStructure/kinematics/readGeometry.hpp"
 #include "igaStructure/kinematics/readMaterial.hpp"
 #include "igaStructure/kinematics/solid/readVolume.hpp"
 
@@ -62,9 +63,12 @@ SolidLoads readSolidLoads(const CaseSection& file) {
 SolidDescription readSolid(const CaseSection& file) {
     const CaseSection model = file.section("model");
     requireUsed(model, {"kinematics", "strains", "thickness"}, "solid");
-    return {readVolume(file), readMaterial(file),
+    return {readVolume(file),
+            readMaterial(file),
             model.text("strains") == "linear" ? Strains::linear : Strains::nonlinear,
-            readSolidSupports(file), readSolidLoads(file)};
+            readSolidSupports(file),
+            readSolidLoads(file),
+            isSlit(file)};
 }
 
 } // namespace tokay::structure

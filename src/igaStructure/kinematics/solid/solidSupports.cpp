@@ -57,14 +57,17 @@ bool isHeld(const geometry::NurbsVolume& volume, const std::vector<int>& edge,
 
 } // namespace
 
-bool pressuresHavePotential(const SolidDescription& solid, const std::vector<bool>& fixed) {
+bool pressuresHavePotential(const SolidDescription& solid, const PatchNodes& nodes) {
+    const std::vector<bool> fixed = fixedUnknowns(solid.volume, solid.supports);
+    const std::vector<int>& closed = nodes.closedDirections();
     for (const SolidLoads::Pressure& load : solid.loads.pressures) {
         if (load.pressure.dependsOnPlace) {
             return false;
         }
         for (int number = 0; number < 6; ++number) {
             const auto other = static_cast<geometry::Side>(number);
-            const bool isNeighbour = number / 2 != static_cast<int>(load.side) / 2;
+            const bool isSeam = std::find(closed.begin(), closed.end(), number / 2) != closed.end();
+            const bool isNeighbour = !isSeam && number / 2 != static_cast<int>(load.side) / 2;
             if (isNeighbour &&
                 !isHeld(solid.volume, commonControlPoints(solid.volume, {load.side, other}),
                         fixed)) {

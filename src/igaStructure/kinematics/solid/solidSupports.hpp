@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "igaStructure/assembly/PatchNodes.hpp"
 #include "igaStructure/kinematics/solid/SolidDescription.hpp"
 
 #include <vector>
@@ -13,10 +14,10 @@ namespace tokay::structure {
 std::vector<bool> fixedUnknowns(const geometry::NurbsVolume& volume,
                                 const std::vector<SolidSupport>& supports);
 
-/// Whether the pressures on a solid have a potential, so that their derivative is
-/// symmetric: each is uniform on its side, and each edge of that side is held in two
-/// components, or across a plane in which it lies.
+/// True if the pressures on a solid have a potential, so that their derivative is
+/// symmetric: each is uniform on its side, and each edge of that side is constrained in
+/// two components, or across a plane in which it lies, or a seam.
 /// Source: Schweizerhof & Ramm 1984
-bool pressuresHavePotential(const SolidDescription& solid, const std::vector<bool>& fixed);
+bool pressuresHavePotential(const SolidDescription& solid, const PatchNodes& nodes);
 
 } // namespace tokay::structure

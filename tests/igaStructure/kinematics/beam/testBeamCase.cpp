@@ -2,7 +2,7 @@
 #include "exampleBeamCase.hpp"
 #include "igaStructure/case/makeBody.hpp"
 #include "igaStructure/exampleCase.hpp"
-#include "igaStructure/kinematics/beam/LineBody.hpp"
+#include "igaStructure/kinematics/beam/BeamBody.hpp"
 #include "igaStructure/linearAlgebra/SparseCholesky.hpp"
 #include "igaStructure/run/checkCase.hpp"
 #include "igaStructure/run/runAlone.hpp"
@@ -31,8 +31,8 @@ std::string mistake(const std::string& from, const std::string& to) {
     return "no error";
 }
 
-const LineSection& sectionOf(const Case& read) {
-    return std::get<LineCase>(read.structure).section;
+const BeamSection& sectionOf(const Case& read) {
+    return std::get<BeamDescription>(read.structure).section;
 }
 
 std::vector<std::vector<double>> runText(const TemporaryDirectory& directory,
@@ -48,12 +48,12 @@ std::unique_ptr<Body> exampleBody(const std::string& from = "", const std::strin
 } // namespace
 
 TEST(BeamCase, section_follows_from_thickness_and_plane_strain) {
-    const LineSection strip = sectionOf(readText(exampleBeamText()));
+    const BeamSection strip = sectionOf(readText(exampleBeamText()));
     EXPECT_NEAR(strip.axialStiffness, 4e6 / 0.91 * 0.1, 1e-9);
     EXPECT_NEAR(strip.bendingStiffness, 4e6 / 0.91 * 1e-3 / 12, 1e-12);
     EXPECT_NEAR(strip.mass, 300, 1e-12);
     EXPECT_EQ(strip.rotaryInertia, 0);
-    const LineSection rod = sectionOf(readText(
+    const BeamSection rod = sectionOf(readText(
         exampleBeamText("thickness: 0.1", "thickness: 0.1, section: planeStress, width: 0.2")));
     EXPECT_NEAR(rod.bendingStiffness, 4e6 * 0.2 * 1e-3 / 12, 1e-12);
     EXPECT_NEAR(rod.mass, 60, 1e-12);
@@ -174,13 +174,14 @@ TEST(BeamCase, fields_have_the_values_of_the_cantilever) {
     // At the middle of an element, where cubic splines have their best moment and
     // shear, on the left side, which is -x of an upward axis.
     const double y = 4.5 / 8;
-    const std::vector<Place> left = {{0, y, 0, 0.05}};
-    const double moment = body->field("bendingMoment", state, left)(0, 0);
+    const std::vector<Location> left = {{0, y, 0, 0.05}};
+    const double moment = body->field("bendingMoment").evaluate(state, left)(0, 0);
     // The traction 100 y to the right turns the tangent to the right.
     EXPECT_NEAR(moment, -100 * ((1 - y * y * y) / 3 - y * (1 - y * y) / 2), 0.1);
-    EXPECT_NEAR(body->field("shearForce", state, left)(0, 0), -50 * (1 - y * y), 0.3);
-    EXPECT_NEAR(body->field("axialStress", state, left)(0, 0), -0.05 * moment * 12 / 1e-3, 1e-6);
-    EXPECT_NEAR(body->field("normalForce", state, left)(0, 0), 0, 1e-6);
+    EXPECT_NEAR(body->field("shearForce").evaluate(state, left)(0, 0), -50 * (1 - y * y), 0.3);
+    EXPECT_NEAR(body->field("axialStress").evaluate(state, left)(0, 0), -0.05 * moment * 12 / 1e-3,
+                1e-6);
+    EXPECT_NEAR(body->field("normalForce").evaluate(state, left)(0, 0), 0, 1e-6);
 }
 
 TEST(BeamCase, load_step_that_is_too_large_is_taken_in_halves) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "exampleLine.hpp"
+#include "exampleBeam.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>
@@ -12,19 +12,19 @@ using Eigen::VectorXd;
 
 namespace {
 
-LineSection cableSection() {
-    LineSection section;
+BeamSection cableSection() {
+    BeamSection section;
     section.thickness = 0.1;
     section.axialStiffness = 1e5;
     section.mass = 2;
     return section;
 }
 
-const std::vector<LineSupport> bothEnds = {{LineEnd::start, true, true, false, true},
-                                           {LineEnd::end, true, true, false, true}};
+const std::vector<BeamSupport> bothEnds = {{BeamEnd::start, true, true, false, true},
+                                           {BeamEnd::end, true, true, false, true}};
 
 // Lowest three of a prestressed string along x, vibrating along a component.
-VectorXd frequenciesAlong(const Line& string, int component) {
+VectorXd frequenciesAlong(const Beam& string, int component) {
     SparseMatrix tangent;
     string.internalForce(VectorXd::Zero(string.nUnknowns()), tangent);
     std::vector<int> across;
@@ -67,14 +67,14 @@ void expectElasticCatenary(const Eigen::Matrix3d& axes, int dimension) {
         geometry::arc({0, 0, 0}, radius, 1.5 * M_PI - half, 1.5 * M_PI + half);
     const geometry::NurbsCurve arc(inPlane.knotVector(), inPlane.controlPoints() * axes.transpose(),
                                    inPlane.weights());
-    LineLoads loads;
+    BeamLoads loads;
     loads.gravities.emplace_back();
     for (int c = 0; c < dimension; ++c) {
         loads.gravities[0].emplace_back(fmt::format("{:.17g}", -9.81 * axes(c, 1)), "");
     }
-    LineSection section = cableSection();
+    BeamSection section = cableSection();
     section.prestress = prestress;
-    Line line(geometry::refine(arc, 3, 16), section, Strains::nonlinear, bothEnds, loads,
+    Beam line(geometry::refine(arc, 3, 16), section, Strains::nonlinear, bothEnds, loads,
               dimension);
     const VectorXd d = loadSteps(line, 10).back();
     const double middle = line.curve().knotVector().last() / 2;
@@ -95,11 +95,11 @@ void expectElasticCatenary(const Eigen::Matrix3d& axes, int dimension) {
 } // namespace
 
 TEST(Cable, prestressed_string_has_the_frequencies_of_the_wave_equation) {
-    LineSection section = cableSection();
+    BeamSection section = cableSection();
     section.prestress = 50;
     for (Strains strains : {Strains::linear, Strains::nonlinear}) {
         for (int dimension : {2, 3}) {
-            const Line line(geometry::refine(geometry::line({0, 0, 0}, {3, 0, 0}), 4, 16), section,
+            const Beam line(geometry::refine(geometry::line({0, 0, 0}, {3, 0, 0}), 4, 16), section,
                             strains, bothEnds, {}, dimension);
             for (int component = 1; component < dimension; ++component) {
                 const VectorXd found = frequenciesAlong(line, component);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/errors.hpp"
-#include "igaStructure/assembly/gaussRule.hpp"
 #include "igaStructure/kinematics/solid/exampleSolid.hpp"
 
 #include <gtest/gtest.h>
@@ -76,18 +75,5 @@ TEST(ExternalForce, formula_without_a_value_says_where_and_when) {
         EXPECT_EQ(message.find("case.yaml:3:4: loads[0]: formula '1/(t - 1)' gives"), 0u)
             << message;
         EXPECT_NE(message.find("t = 1"), std::string::npos) << message;
-    }
-}
-
-TEST(GaussRule, integrates_polynomials_of_degree_2n_minus_1_exactly) {
-    for (int n = 1; n <= 12; ++n) {
-        const GaussRule rule = gaussRule(n);
-        for (int degree = 0; degree < 2 * n; ++degree) {
-            double sum = 0;
-            for (int k = 0; k < n; ++k) {
-                sum += rule.weights[k] * std::pow(rule.points[k], degree);
-            }
-            EXPECT_NEAR(sum, 1.0 / (degree + 1), 1e-14);
-        }
     }
 }

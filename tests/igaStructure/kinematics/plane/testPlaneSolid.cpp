@@ -150,7 +150,7 @@ TEST(PlaneSolid, rotation_gives_strain_if_strains_are_linear) {
 
 TEST(PlaneSolid, uniaxial_plane_stress_has_the_stress_of_Hookes_law) {
     const PlaneSolid solid = makeExample({Kinematics::planeStress, Strains::linear, false});
-    const Material& material = solid.material();
+    const PlaneMaterial& material = solid.material();
     Eigen::Matrix2d A = Eigen::Matrix2d::Identity();
     A(0, 0) += 1e-3;
     A(1, 1) -= 1e-3 * material.poissonsRatio; // free to contract
@@ -179,8 +179,8 @@ TEST(PlaneSolid, patch_that_folds_over_is_refused_with_the_place) {
     points << 0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0; // clockwise
     const auto linear = geometry::KnotVector::uniform(1, 1);
     try {
-        PlaneSolid(geometry::NurbsSurface(linear, linear, points), Material{}, Strains::linear, {},
-                   {});
+        PlaneSolid(geometry::NurbsSurface(linear, linear, points), PlaneMaterial{}, Strains::linear,
+                   {}, {});
         FAIL();
     } catch (const InputError& error) {
         EXPECT_NE(std::string(error.what()).find("the geometry folds over near x = "),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "exampleShell.hpp"
-#include "igaStructure/kinematics/beam/exampleLine.hpp"
+#include "igaStructure/kinematics/beam/exampleBeam.hpp"
 
 #include <gtest/gtest.h>
 
@@ -147,12 +147,12 @@ TEST(FollowerLoads, line_says_truly_whether_its_tangent_is_symmetric) {
     };
     for (const Case& kind :
          {Case{"7", true, true}, Case{"7*t+7", false, false}, Case{"7*x", true, false}}) {
-        ExampleLine line;
+        ExampleBeam line;
         line.arc = true;
         line.loads.ends.push_back(endMoment("30"));
         line.loads.pressures.emplace_back(kind.pressure, "");
-        line.supports.push_back({LineEnd::end, kind.heldEnd, false, false});
-        const Line beam = line.build();
+        line.supports.push_back({BeamEnd::end, kind.heldEnd, false, false});
+        const Beam beam = line.build();
         EXPECT_EQ(beam.hasSymmetricTangent(), kind.isSymmetric) << kind.pressure;
         const VectorXd d = allowedMotion(beam, 0.3);
         const MatrixXd derivative = followerDerivative(beam, d);
@@ -199,8 +199,8 @@ TEST(FollowerLoads, Newton_is_quadratic_for_a_cantilevered_strip_under_pressure)
 }
 
 TEST(FollowerLoads, Newton_is_quadratic_for_a_cantilever_beam_under_pressure) {
-    ExampleLine kind;
+    ExampleBeam kind;
     kind.loads.pressures.emplace_back("-0.3*t", "");
-    Line line = kind.build();
+    Beam line = kind.build();
     expectQuadratic(line, 4);
 }

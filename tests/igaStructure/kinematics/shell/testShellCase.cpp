@@ -193,6 +193,7 @@ TEST_P(ShellTransferKinds, points_on_both_sides_keep_virtual_work_force_and_mome
         points.row(k) << radius * std::cos(angle), radius * std::sin(angle), 5 + 12 * k;
     }
     Coupling coupling;
+    coupling.method = TransferMethod::offset;
     coupling.gapLimit = 0.1;
     const auto transfer = body->transfer(coupling, points);
     const Eigen::Index n = body->model().nUnknowns();
@@ -215,7 +216,7 @@ TEST(ShellBody, material_points_through_the_thickness_are_found_and_turn_with_th
     const Eigen::Vector3d outside(25.1 * std::cos(0.2), 25.1 * std::sin(0.2), 20);
     const Body::Closest found = body->closest(outside);
     EXPECT_NEAR(found.distance, 0, 1e-9);
-    EXPECT_NEAR(found.place.zeta, 0.1, 1e-9);
+    EXPECT_NEAR(found.location.zeta, 0.1, 1e-9);
     EXPECT_GT(body->closest(1.1 * outside).distance, 1);
     // A rotation about z moves every material point as space.
     const auto& shell = dynamic_cast<const Shell&>(body->model());
@@ -225,7 +226,7 @@ TEST(ShellBody, material_points_through_the_thickness_are_found_and_turn_with_th
         const Eigen::Vector3d X = shell.nodes().positions.row(k);
         d.segment<3>(3 * k) = rotation * X - X;
     }
-    const Eigen::Vector3d moved = body->displacements(d, {found.place}).col(0);
+    const Eigen::Vector3d moved = body->displacements(d, {found.location}).col(0);
     EXPECT_LT((moved - (rotation * outside - outside)).norm(), 1e-9 * 25);
 }
 
@@ -253,7 +254,7 @@ TEST(ShellBody, result_file_of_a_trimmed_patch_covers_what_its_loops_keep) {
     EXPECT_NEAR(area, expected, 1e-2 * expected); // chords of the circle
     MotionState atRest;
     atRest.displacement = Eigen::VectorXd::Zero(body.model().nUnknowns());
-    const Eigen::MatrixXd stress = body.field("principalStressTop", atRest, mesh.points);
+    const Eigen::MatrixXd stress = body.field("principalStressTop").evaluate(atRest, mesh.points);
     EXPECT_EQ(stress.cols(), static_cast<Eigen::Index>(mesh.points.size()));
     EXPECT_EQ(stress.norm(), 0);
 }

@@ -234,10 +234,10 @@ TEST(ShellEdges, springs_build_a_tangent_only_when_asked_and_the_same_forces_wit
             }
             const Shell shell(twoPlates(0.5, strains, method));
             const Eigen::VectorXd d = 0.01 * Eigen::VectorXd::Random(shell.nUnknowns());
-            ASSERT_FALSE(shell.constraints().springs.empty());
-            for (const auto& spring : shell.constraints().springs) {
-                const EdgeSpring::Answer whole = spring->answer(d, strains, true);
-                const EdgeSpring::Answer forces = spring->answer(d, strains, false);
+            ASSERT_FALSE(shell.constraints().couplings.empty());
+            for (const auto& coupling : shell.constraints().couplings) {
+                const EdgeCoupling::Answer whole = coupling->answer(d, strains, true);
+                const EdgeCoupling::Answer forces = coupling->answer(d, strains, false);
                 EXPECT_EQ(whole.tangent.rows(), whole.force.size());
                 EXPECT_EQ(forces.tangent.size(), 0);
                 EXPECT_EQ(forces.force, whole.force);

@@ -45,8 +45,8 @@ class ShellSections : public testing::TestWithParam<std::shared_ptr<ShellSection
 
 INSTANTIATE_TEST_SUITE_P(
     All, ShellSections,
-    testing::Values(std::make_shared<LinearSection>(2e5, 0.3, 0.1), neoHookean(3e5),
-                    neoHookean(1e9), neoHookean(0), neoHookean(incompressible),
+    testing::Values(std::make_shared<LinearSection>(ElasticMaterial{2e5, 0.3}, 0.1),
+                    neoHookean(3e5), neoHookean(1e9), neoHookean(0), neoHookean(incompressible),
                     std::make_shared<MembraneSection>(neoHookean(3e5), Vector3d(30, 20, 10))));
 
 TEST_P(ShellSections, resultants_and_tangent_are_derivatives_of_the_energy) {
@@ -69,7 +69,7 @@ TEST_P(ShellSections, resultants_and_tangent_are_derivatives_of_the_energy) {
 TEST(NeoHookeanSection, is_Hookes_law_at_small_strains) {
     const double E = 2e5, nu = 0.3;
     const NeoHookeanSection section(E / 2 / (1 + nu), E * nu / (1 + nu) / (1 - 2 * nu), 0.1);
-    const LinearSection linear(E, nu, 0.1);
+    const LinearSection linear(ElasticMaterial{E, nu}, 0.1);
     const FundamentalForms flat{skewed.metric, Vector3d::Zero()};
     const Matrix6d expected = linear.response(flat, Vector6d::Zero()).tangent;
     EXPECT_LT((section.response(flat, Vector6d::Zero()).tangent - expected).norm(),

@@ -27,7 +27,7 @@ geometry::NurbsSurface roofSurface(double angleMargin, double lengthMargin, doub
     return geometry::cylinderPatch({0, 0, -lengthMargin}, 25, 50 + 2 * lengthMargin, first, last);
 }
 
-// Line in parameter space through places of the cylinder, straight in the angle.
+// Beam in parameter space through places of the cylinder, straight in the angle.
 geometry::NurbsCurve parameterLine(const geometry::NurbsSurface& surface, const Vector3d& start,
                                    const Vector3d& end) {
     const geometry::SurfaceProjector projector(surface);

@@ -38,8 +38,8 @@ inline std::vector<Example> exampleKinds() {
     return kinds;
 }
 
-inline Material exampleMaterial(Kinematics kinematics) {
-    Material material;
+inline PlaneMaterial exampleMaterial(Kinematics kinematics) {
+    PlaneMaterial material;
     material.kinematics = kinematics;
     material.youngsModulus = 4e6;
     material.poissonsRatio = 0.3;

@@ -195,7 +195,7 @@ TEST(SolidBody, watch_points_inside_and_on_the_rim_are_found) {
         const Vector3d point(radius * std::cos(1.1), radius * std::sin(1.1), 1.3);
         const Body::Closest found = body->closest(point);
         EXPECT_LT(found.distance, 1e-10);
-        EXPECT_LT((body->positions({found.place}).col(0) - point).norm(), 1e-10);
+        EXPECT_LT((body->positions({found.location}).col(0) - point).norm(), 1e-10);
     }
     EXPECT_NEAR(body->closest({3 * std::cos(1.1), 3 * std::sin(1.1), 1.3}).distance, 0.75, 1e-10);
 }
@@ -307,8 +307,8 @@ TEST(VolumeMesh, Bezier_hexahedra_are_the_volume_and_number_each_point_once) {
             sum += weight * control.col(27 * cell + k);
             denominator += weight;
         }
-        const Place& first = mesh.points[27 * cell];
-        const Place& last = mesh.points[27 * cell + 26];
+        const Location& first = mesh.points[27 * cell];
+        const Location& last = mesh.points[27 * cell + 26];
         const Vector3d expected = volume.point({first.xi + 0.3 * (last.xi - first.xi),
                                                 first.eta + 0.8 * (last.eta - first.eta),
                                                 first.zeta + 0.6 * (last.zeta - first.zeta)});
@@ -321,9 +321,9 @@ TEST(VolumeMesh, points_of_higher_Bezier_cells_lie_on_corners_edges_faces_and_in
         geometry::refine(geometry::block({0, 0, 0}, {1, 1, 1}), {3, 4, 2}, {1, 1, 1});
     const VtuMesh mesh = bezierMesh(volume);
     const auto nEnds = [&](int k) {
-        const Place& place = mesh.points[mesh.connectivity[k]];
+        const Location& at = mesh.points[mesh.connectivity[k]];
         int n = 0;
-        for (const double x : {place.xi, place.eta, place.zeta}) {
+        for (const double x : {at.xi, at.eta, at.zeta}) {
             n += x == 0 || x == 1;
         }
         return n;
@@ -334,9 +334,9 @@ TEST(VolumeMesh, points_of_higher_Bezier_cells_lie_on_corners_edges_faces_and_in
         EXPECT_EQ(nEnds(k), k < 8 ? 3 : k < 8 + nEdges ? 2 : k < 8 + nEdges + nFaces ? 1 : 0) << k;
     }
     // Corners counter-clockwise, the last zeta after the first.
-    const Place& sixth = mesh.points[mesh.connectivity[6]];
+    const Location& sixth = mesh.points[mesh.connectivity[6]];
     EXPECT_EQ(Vector3d(sixth.xi, sixth.eta, sixth.zeta), Vector3d(1, 1, 1));
-    const Place& third = mesh.points[mesh.connectivity[3]];
+    const Location& third = mesh.points[mesh.connectivity[3]];
     EXPECT_EQ(Vector3d(third.xi, third.eta, third.zeta), Vector3d(0, 1, 0));
 }
 

@@ -41,7 +41,7 @@ Solid deepStrip(Strains strains, SolidLoads loads) {
 }
 
 PlaneSolid planeStrip(Strains strains, Loads loads) {
-    Material material;
+    PlaneMaterial material;
     material.youngsModulus = 4e6;
     material.poissonsRatio = 0.3;
     material.density = 3000;

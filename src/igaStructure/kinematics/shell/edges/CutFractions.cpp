@@ -12,7 +12,7 @@ namespace {
 
 geometry::Point positionFrom(const ShellPatch& patch, int element, const geometry::Parameters& at) {
     const int nU = patch.patch().nElementsU();
-    return PatchPlace(patch, element % nU, element / nU, at, Eigen::Vector2d::Zero()).position;
+    return PatchLocation(patch, element % nU, element / nU, at, Eigen::Vector2d::Zero()).position;
 }
 
 // Whether the surface of one element is that of another one, continued.

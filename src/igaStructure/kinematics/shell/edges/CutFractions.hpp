@@ -7,8 +7,8 @@
 
 namespace tokay::structure {
 
-/// What trimming leaves of the elements of a patch, and which element can stand in
-/// for one of which it leaves a sliver.
+/// Fractions of the elements of a patch that trimming leaves, and for each sliver the
+/// element that can replace it.
 class CutFractions {
   public:
     /// Elements with less than this fraction are slivers.
@@ -16,7 +16,7 @@ class CutFractions {
 
     explicit CutFractions(const ShellPatch& patch);
 
-    /// Of the parameter area; 0 to 1.
+    /// Fraction of the parameter area that is left; 0 to 1.
     double of(int element) const { return fractions_[element]; }
     bool isSliver(int element) const { return fractions_[element] < least; }
 

@@ -20,11 +20,11 @@ double acrossElement(const geometry::ParameterBox& box, const Eigen::Vector2d& d
     return 1 / (direction.cwiseAbs().cwiseQuotient(box.size())).maxCoeff();
 }
 
-struct CurvePlace {
+struct CurveLocation {
     geometry::Parameters at, derivative;
 };
 
-CurvePlace placeOn(const geometry::NurbsCurve& curve, double t) {
+CurveLocation locationOn(const geometry::NurbsCurve& curve, double t) {
     const geometry::Points d = curve.derivatives(t, 1);
     return {d.row(0).head<2>().transpose(), d.row(1).head<2>().transpose()};
 }
@@ -74,14 +74,15 @@ void forEachGaussPoint(const std::vector<double>& breakpoints, int nPoints, Visi
 
 } // namespace
 
-PatchPlace::PatchPlace(const ShellPatch& thePatch, const geometry::Parameters& at,
-                       const Eigen::Vector2d& parameterTangent)
-    : PatchPlace(thePatch, thePatch.patch().elementAt(at) % thePatch.patch().nElementsU(),
-                 thePatch.patch().elementAt(at) / thePatch.patch().nElementsU(), at,
-                 parameterTangent) {}
+PatchLocation::PatchLocation(const ShellPatch& thePatch, const geometry::Parameters& at,
+                             const Eigen::Vector2d& parameterTangent)
+    : PatchLocation(thePatch, thePatch.patch().elementAt(at) % thePatch.patch().nElementsU(),
+                    thePatch.patch().elementAt(at) / thePatch.patch().nElementsU(), at,
+                    parameterTangent) {}
 
-PatchPlace::PatchPlace(const ShellPatch& thePatch, int i, int j, const geometry::Parameters& at,
-                       const Eigen::Vector2d& parameterTangent)
+PatchLocation::PatchLocation(const ShellPatch& thePatch, int i, int j,
+                             const geometry::Parameters& at,
+                             const Eigen::Vector2d& parameterTangent)
     : patch(&thePatch), parameters(at), element(thePatch.patch().elementNumber(i, j)),
       tangent(parameterTangent), size(0) {
     ShellElement here;
@@ -100,15 +101,15 @@ PatchPlace::PatchPlace(const ShellPatch& thePatch, int i, int j, const geometry:
     }
 }
 
-Eigen::Vector3d PatchPlace::normal() const {
+Eigen::Vector3d PatchLocation::normal() const {
     return baseVectors.col(0).cross(baseVectors.col(1)).normalized();
 }
 
-double PatchPlace::elementLength() const {
+double PatchLocation::elementLength() const {
     return acrossElement(patch->patch().elementBox(element), tangent);
 }
 
-Eigen::Vector2d PatchPlace::conormal() const {
+Eigen::Vector2d PatchLocation::conormal() const {
     const Eigen::Vector3d across = (baseVectors * tangent).cross(normal());
     const Eigen::Matrix2d metric = baseVectors.transpose() * baseVectors;
     return metric.inverse() * (baseVectors.transpose() * across);
@@ -122,10 +123,10 @@ std::vector<EdgePoint> edgePoints(const ShellPatch& patch, const geometry::Nurbs
     }
     forEachGaussPoint(inSpace.breakpoints(), largestDegree(patch) + 1,
                       [&](double t, double weight) {
-                          const CurvePlace place = placeOn(curve, t);
+                          const CurveLocation place = locationOn(curve, t);
                           const double speed = inSpace.derivatives(t, 1).row(1).norm();
                           points.push_back({weight * speed,
-                                            PatchPlace(patch, place.at, place.derivative),
+                                            PatchLocation(patch, place.at, place.derivative),
                                             {},
                                             fraction(inSpace.breakpoints(), t)});
                       });
@@ -139,6 +140,9 @@ std::vector<EdgePoint> edgePoints(const ShellPatch& patch, const geometry::Nurbs
     const geometry::CurveOnSurface second(otherCurve, otherPatch.surface());
     const int nPoints = std::max(largestDegree(patch), largestDegree(otherPatch)) + 1;
     std::vector<EdgePoint> points;
+    if (isPoint(first) || isPoint(second)) {
+        return points;
+    }
     forEachGaussPoint(commonBreakpoints(first, second), nPoints, [&](double t, double weight) {
         const geometry::Points d = first.derivatives(t, 1);
         const geometry::CurveProjection found = second.closest(d.row(0));
@@ -149,10 +153,10 @@ std::vector<EdgePoint> edgePoints(const ShellPatch& patch, const geometry::Nurbs
                 patch.patch().name(), otherPatch.patch().name(), found.distance, d(0, 0), d(0, 1),
                 d(0, 2), largestGap));
         }
-        const CurvePlace here = placeOn(curve, t);
-        const CurvePlace there = placeOn(otherCurve, found.xi);
-        points.push_back({weight * d.row(1).norm(), PatchPlace(patch, here.at, here.derivative),
-                          PatchPlace(otherPatch, there.at, there.derivative),
+        const CurveLocation here = locationOn(curve, t);
+        const CurveLocation there = locationOn(otherCurve, found.xi);
+        points.push_back({weight * d.row(1).norm(), PatchLocation(patch, here.at, here.derivative),
+                          PatchLocation(otherPatch, there.at, there.derivative),
                           fraction(first.breakpoints(), t)});
     });
     return points;
@@ -174,10 +178,10 @@ void addCrease(const ShellPatch& patch, int axis, int k, std::vector<EdgePoint>&
             if (!patch.patch().contains(at)) {
                 return;
             }
-            const PatchPlace before = axis == 0 ? PatchPlace(patch, k - 1, e, at, tangent)
-                                                : PatchPlace(patch, e, k - 1, at, tangent);
-            const PatchPlace after = axis == 0 ? PatchPlace(patch, k, e, at, -tangent)
-                                               : PatchPlace(patch, e, k, at, -tangent);
+            const PatchLocation before = axis == 0 ? PatchLocation(patch, k - 1, e, at, tangent)
+                                                   : PatchLocation(patch, e, k - 1, at, tangent);
+            const PatchLocation after = axis == 0 ? PatchLocation(patch, k, e, at, -tangent)
+                                                  : PatchLocation(patch, e, k, at, -tangent);
             points.push_back({weight * before.baseVectors.col(1 - axis).norm(), before, after});
         });
     }

@@ -8,18 +8,18 @@
 
 namespace tokay::structure {
 
-/// A place of a patch on an edge, or any other one (its tangent then is zero).
-struct PatchPlace {
-    PatchPlace(const ShellPatch& patch, const geometry::Parameters& at,
-               const Eigen::Vector2d& parameterTangent);
+/// A location of a patch on an edge, or any other one (its tangent then is zero).
+struct PatchLocation {
+    PatchLocation(const ShellPatch& patch, const geometry::Parameters& at,
+                  const Eigen::Vector2d& parameterTangent);
 
-    /// On a knot line, seen from an element (i, j) that it bounds.
-    PatchPlace(const ShellPatch& patch, int i, int j, const geometry::Parameters& at,
-               const Eigen::Vector2d& parameterTangent);
+    /// Location on a knot line, seen from an element (i, j) that it bounds.
+    PatchLocation(const ShellPatch& patch, int i, int j, const geometry::Parameters& at,
+                  const Eigen::Vector2d& parameterTangent);
 
     /// Size of the element here across the tangent [m].
     double elementSize() const { return size; }
-    /// The same along the tangent.
+    /// Size of the element here along the tangent [m].
     double elementLength() const;
     Eigen::Vector3d normal() const;
     /// Parameter direction across the tangent, to its right (out of the patch along a
@@ -40,8 +40,8 @@ struct PatchPlace {
 /// A quadrature point of an edge: of one patch, or of two that meet there.
 struct EdgePoint {
     double weight; ///< of the reference length [m]
-    PatchPlace side;
-    std::optional<PatchPlace> other;
+    PatchLocation side;
+    std::optional<PatchLocation> other;
     double parameter = 0; ///< from 0 to 1 along a trimming curve
 };
 

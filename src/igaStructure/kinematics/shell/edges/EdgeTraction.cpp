@@ -36,7 +36,7 @@ MatrixXd curvatureDerivativeRows(const CovariantPoint& at, int c) {
 
 } // namespace
 
-EdgeTraction::EdgeTraction(const PatchPlace& place, int element, bool bending) {
+EdgeTraction::EdgeTraction(const PatchLocation& place, int element, bool bending) {
     // The geometry is that of the place; the sliver's own is the same surface.
     const CovariantPoint at(*place.patch, element, place.parameters);
     nodes = at.nodes;

@@ -5,15 +5,15 @@
 
 namespace tokay::structure {
 
-/// What a linear shell or membrane exerts on an edge, as linear functions of the
+/// Tractions of a linear shell or membrane on an edge, as linear functions of the
 /// displacement of an element's nodes: integrating the work of its stresses by parts
 /// leaves, per length of the edge, force . v + twist . dv/dt - moment a3 . dv/dc,
 /// t being the edge's tangent and c its outward conormal.
 struct EdgeTraction {
-    /// @param place    of the edge
+    /// @param place    on the edge
     /// @param element  whose functions are taken, beyond its rim too
     /// @param bending  false: a membrane
-    EdgeTraction(const PatchPlace& place, int element, bool bending);
+    EdgeTraction(const PatchLocation& place, int element, bool bending);
 
     std::vector<int> nodes;
     Eigen::MatrixXd force;     ///< 3 rows [N/m]; component c of node k is column 3 k + c

@@ -16,7 +16,7 @@ class NodeUnion {
         std::vector<Eigen::Index> places;
         for (const int node : nodes) {
             const auto [found, isNew] =
-                places_.try_emplace(node, static_cast<Eigen::Index>(nodes_.size()));
+                locations_.try_emplace(node, static_cast<Eigen::Index>(nodes_.size()));
             if (isNew) {
                 nodes_.push_back(node);
             }
@@ -29,7 +29,7 @@ class NodeUnion {
     Eigen::Index size() const { return static_cast<Eigen::Index>(nodes_.size()); }
 
   private:
-    std::map<int, Eigen::Index> places_;
+    std::map<int, Eigen::Index> locations_;
     std::vector<int> nodes_;
 };
 

@@ -3,13 +3,17 @@
 
 #include "common/errors.hpp"
 #include "igaStructure/assembly/RigidMotions.hpp"
-#include "igaStructure/kinematics/shell/edges/LagrangeSpring.hpp"
-#include "igaStructure/kinematics/shell/edges/NitscheSpring.hpp"
-#include "igaStructure/kinematics/shell/edges/SliverSpring.hpp"
+#include "igaStructure/kinematics/shell/edges/GhostStabilisation.hpp"
+#include "igaStructure/kinematics/shell/edges/MultiplierCoupling.hpp"
+#include "igaStructure/kinematics/shell/edges/NitscheCoupling.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
+#include <numeric>
 #include <optional>
 
 namespace tokay::structure {
@@ -82,7 +86,7 @@ class ConstraintsBuilder {
         for (std::size_t face = 0; face < patches_.size() && description_.bending; ++face) {
             holdCreases(static_cast<int>(face));
         }
-        addSliverSprings();
+        addGhostStabilisations();
         constraints_.fixed = constraints_.supported;
         fixNodesWithoutBody();
         return std::move(constraints_);
@@ -94,10 +98,8 @@ class ConstraintsBuilder {
         return description_.model.curve(trim.face, trim.curve);
     }
     SideStiffness stiffness(int face) const {
-        const ShellMaterial& material = description_.materialOf(face);
-        const double nu = material.poissonsRatio;
         const double t = description_.thickness[face];
-        const double membrane = material.youngsModulus * t / (1 - nu * nu);
+        const double membrane = description_.materialOf(face).planeStressModulus() * t;
         return {membrane, description_.bending ? membrane * t * t / 12 : 0};
     }
     double factor(EdgeMethod method) const {
@@ -153,7 +155,7 @@ class ConstraintsBuilder {
 
     void hold(const PointSupport& support) {
         const ShellPatch& patch = *patches_[support.face];
-        const PatchPlace place(patch, support.at, Eigen::Vector2d::Zero());
+        const PatchLocation place(patch, support.at, Eigen::Vector2d::Zero());
         Eigen::Index k = 0;
         const bool interpolates = place.N.row(0).maxCoeff(&k) > 1 - 1e-12;
         for (int c = 0; c < 3 && interpolates; ++c) {
@@ -162,7 +164,7 @@ class ConstraintsBuilder {
             }
         }
         if (!interpolates) {
-            constraints_.springs.push_back(std::make_unique<DisplacementSpring>(
+            constraints_.couplings.push_back(std::make_unique<DisplacementPenalty>(
                 place, nullptr, support.fixed,
                 factor(EdgeMethod::penalty) * stiffness(support.face).membrane *
                     Eigen::Matrix3d::Identity()));
@@ -187,9 +189,9 @@ class ConstraintsBuilder {
         const std::vector<EdgePoint> points = creasePoints(*patches_[face]);
         const SideStiffness own = stiffness(face);
         if (method_ == EdgeMethod::nitsche) {
-            append(nitscheSprings(points, {}, true, true, factor(EdgeMethod::nitsche)));
+            append(nitscheCouplings(points, {}, true, true, factor(EdgeMethod::nitsche)));
         } else {
-            addPenaltySprings(points, {}, true, {factor(method_), own.membrane, own.bending});
+            addPenalties(points, {}, true, {factor(method_), own.membrane, own.bending});
         }
     }
 
@@ -213,47 +215,46 @@ class ConstraintsBuilder {
         // The softer patch decides: springs are stiff enough for it, and no stiffer.
         const SideStiffness& softer = sides[sides[1].membrane < sides[0].membrane ? 1 : 0];
         if (method_ == EdgeMethod::penalty) {
-            addPenaltySprings(points, components, rotation,
-                              {factor(EdgeMethod::penalty), softer.membrane, softer.bending});
+            addPenalties(points, components, rotation,
+                         {factor(EdgeMethod::penalty), softer.membrane, softer.bending});
         } else if (method_ == EdgeMethod::nitsche && trims) {
-            append(nitscheSprings(points, components, rotation, description_.bending,
-                                  factor(EdgeMethod::nitsche)));
+            append(nitscheCouplings(points, components, rotation, description_.bending,
+                                    factor(EdgeMethod::nitsche)));
         } else {
-            append(
-                lagrangeSprings(points, components, rotation,
-                                {factor(EdgeMethod::lagrange), softer.membrane, softer.bending}));
+            append(multiplierCouplings(
+                points, components, rotation,
+                {factor(EdgeMethod::lagrange), softer.membrane, softer.bending}));
         }
     }
 
-    void addPenaltySprings(const std::vector<EdgePoint>& points,
-                           const std::array<bool, 3>& components, bool rotation,
-                           const SpringStiffness& stiffness) {
+    void addPenalties(const std::vector<EdgePoint>& points, const std::array<bool, 3>& components,
+                      bool rotation, const PenaltyStiffness& stiffness) {
         for (const EdgePoint& point : points) {
-            const PatchPlace* other = point.other ? &*point.other : nullptr;
+            const PatchLocation* other = point.other ? &*point.other : nullptr;
             if (components != std::array<bool, 3>{}) {
-                constraints_.springs.push_back(std::make_unique<DisplacementSpring>(
+                constraints_.couplings.push_back(std::make_unique<DisplacementPenalty>(
                     point.side, other, components,
                     point.weight * stiffness.ofAnyDisplacement(point) *
                         Eigen::Matrix3d::Identity()));
             }
             if (rotation) {
-                constraints_.springs.push_back(std::make_unique<RotationSpring>(
+                constraints_.couplings.push_back(std::make_unique<RotationPenalty>(
                     point.side, other, point.weight * stiffness.ofRotation(point)));
             }
         }
     }
 
-    void addSliverSprings() {
+    void addGhostStabilisations() {
         for (std::size_t face = 0; face < patches_.size(); ++face) {
             if (description_.sliverTreatment == SliverTreatment::extension) {
                 const SideStiffness own = stiffness(static_cast<int>(face));
-                append(sliverSprings(*patches_[face], own.membrane, own.bending));
+                append(ghostStabilisations(*patches_[face], own.membrane, own.bending));
             }
         }
     }
 
-    void append(std::vector<std::unique_ptr<EdgeSpring>> springs) {
-        std::move(springs.begin(), springs.end(), std::back_inserter(constraints_.springs));
+    void append(std::vector<std::unique_ptr<EdgeCoupling>> couplings) {
+        std::move(couplings.begin(), couplings.end(), std::back_inserter(constraints_.couplings));
     }
 
     void fixNodesWithoutBody() {
@@ -283,25 +284,65 @@ ShellConstraints shellConstraints(const ShellDescription& description, const She
     return ConstraintsBuilder(description, patches, nNodes).build();
 }
 
-std::vector<std::string> freeRigidMotions(const geometry::Points& nodes,
-                                          const ShellConstraints& constraints) {
-    RigidMotions motions(nodes);
-    for (std::size_t k = 0; k < constraints.supported.size(); ++k) {
-        if (constraints.supported[k]) {
-            motions.hold(motions.at(nodes.row(static_cast<Eigen::Index>(k / 3)))
-                             .row(static_cast<Eigen::Index>(k % 3)));
+std::vector<std::string> freeRigidMotions(const geometry::Points& positions,
+                                          const ShellConstraints& constraints,
+                                          const std::vector<int>& nodes) {
+    RigidMotions motions(positions(nodes, Eigen::all));
+    for (const int node : nodes) {
+        for (int c = 0; c < 3; ++c) {
+            if (constraints.supported[3 * static_cast<std::size_t>(node) + c]) {
+                motions.hold(motions.at(positions.row(node)).row(c));
+            }
         }
     }
-    for (const auto& spring : constraints.springs) {
-        const Eigen::MatrixXd rows = spring->restRows();
+    for (const auto& coupling : constraints.couplings) {
+        if (!std::binary_search(nodes.begin(), nodes.end(), coupling->nodes().front())) {
+            continue;
+        }
+        const Eigen::MatrixXd rows = coupling->restRows();
         Eigen::MatrixXd own(rows.cols(), 6);
-        for (std::size_t k = 0; k < spring->nodes().size(); ++k) {
+        for (std::size_t k = 0; k < coupling->nodes().size(); ++k) {
             own.middleRows<3>(3 * static_cast<Eigen::Index>(k)) =
-                motions.at(nodes.row(spring->nodes()[k]));
+                motions.at(positions.row(coupling->nodes()[k]));
         }
         motions.hold(rows * own / std::sqrt(1e-300 + rows.squaredNorm()));
     }
     return motions.freeOnes();
+}
+
+std::vector<ShellPart> shellParts(const geometry::BrepModel& model) {
+    std::vector<int> first(model.faces().size()); // face of the part
+    std::iota(first.begin(), first.end(), 0);
+    for (const geometry::BrepEdge& edge : model.edges()) {
+        for (const geometry::BrepTrim& trim : edge.trims) {
+            const int from = std::max(first[trim.face], first[edge.trims[0].face]);
+            const int to = std::min(first[trim.face], first[edge.trims[0].face]);
+            std::replace(first.begin(), first.end(), from, to);
+        }
+    }
+    std::vector<ShellPart> parts;
+    for (std::size_t k = 0; k < first.size(); ++k) {
+        if (first[k] == static_cast<int>(k)) {
+            parts.emplace_back();
+        }
+    }
+    std::map<int, std::size_t> partOf;
+    for (std::size_t face = 0; face < first.size(); ++face) {
+        const std::size_t part = partOf.try_emplace(first[face], partOf.size()).first->second;
+        parts[part].faces.push_back(static_cast<int>(face));
+    }
+    for (ShellPart& part : parts) {
+        constexpr std::size_t nNamed = 5;
+        std::vector<std::string> names;
+        for (std::size_t k = 0; k < std::min(nNamed, part.faces.size()); ++k) {
+            names.push_back(model.patch(part.faces[k]).name());
+        }
+        part.name = fmt::format(
+            "patch{} {}{}", part.faces.size() == 1 ? "" : "es", fmt::join(names, ", "),
+            part.faces.size() > nNamed ? fmt::format(" and {} more", part.faces.size() - nNamed)
+                                       : "");
+    }
+    return parts;
 }
 
 } // namespace tokay::structure

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/kinematics/shell/edges/TractionBounds.hpp"
 
+#include "igaStructure/assembly/GeometryError.hpp"
 #include "igaStructure/kinematics/shell/element/CovariantPoint.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -76,7 +78,15 @@ MatrixXd root(const Matrix3d& stiffness, const MatrixXd& strains) {
 
 // Motions of an element with an energy of one half each, that span all it has but
 // those without energy.
-MatrixXd unitMotions(const MatrixXd& energyRoot) {
+MatrixXd unitMotions(const ShellPatch& patch, const MatrixXd& energyRoot, const PatchLocation& at) {
+    const double largest = energyRoot.cwiseAbs().maxCoeff();
+    if (!(largest > 0) || !std::isfinite(largest)) {
+        throw GeometryError(
+            fmt::format("patch \"{}\" has no usable shape at its edge near ({:.6g}, {:.6g}, "
+                        "{:.6g}): lengths of "
+                        "its element there differ too much, or vanish; correct its control points",
+                        patch.patch().name(), at.position[0], at.position[1], at.position[2]));
+    }
     // What is left of a rigid motion's energy; its tractions are as small.
     constexpr double rounding = 1e-12;
     Eigen::JacobiSVD<MatrixXd> parts(energyRoot, Eigen::ComputeThinV);
@@ -87,6 +97,9 @@ MatrixXd unitMotions(const MatrixXd& energyRoot) {
 }
 
 double largestSquare(const MatrixXd& rows) {
+    if (rows.size() == 0) {
+        return 0;
+    }
     const double norm = Eigen::JacobiSVD<MatrixXd>(rows).singularValues()[0];
     return norm * norm;
 }
@@ -174,13 +187,14 @@ TractionBounds tractionBounds(const ShellPatch& patch, int element,
     if (held.displacement) {
         const Tractions tractions = ofMembrane(patch, element, edge);
         bounds.membrane =
-            largestSquare(tractions.membrane.matrix() * unitMotions(tractions.energyRoot.matrix()));
+            largestSquare(tractions.membrane.matrix() *
+                          unitMotions(patch, tractions.energyRoot.matrix(), *edge.front().place));
     }
     if (!held.bending) {
         return bounds;
     }
     const Tractions tractions = ofBending(patch, element, edge);
-    const MatrixXd motions = unitMotions(tractions.energyRoot.matrix());
+    const MatrixXd motions = unitMotions(patch, tractions.energyRoot.matrix(), *edge.front().place);
     Stack together;
     const auto add = [&](const Stack& rows, double& bound) {
         const MatrixXd own = rows.matrix() * motions;

@@ -7,13 +7,13 @@
 
 namespace tokay::structure {
 
-/// A place of an edge and the length it stands for [m].
+/// A location on an edge and the length it stands for [m].
 struct EdgePiece {
-    const PatchPlace* place;
+    const PatchLocation* place;
     double length;
 };
 
-/// What of a motion is held along an edge.
+/// Components of the motion that are constrained along an edge.
 struct HeldMotion {
     bool displacement, rotation;
     bool bending; ///< false: a membrane, of which only the displacement in its plane counts
@@ -31,7 +31,7 @@ struct TractionBounds {
     void enlarge(const TractionBounds& other);
 };
 
-/// The least ones, from the element's eigenvalues. The element is taken as nearly flat:
+/// Smallest bounds of an element, from its eigenvalues. The element is taken as nearly flat:
 /// what displacement in its plane bends, and displacement across it stretches, is left
 /// out.
 /// Source: Embar, Dolbow & Harari 2010, section 4

@@ -27,12 +27,12 @@ class CovariantPoint {
 
     /// (k11, k22, 2 k12) = -N|ab, linear, of functions times the normal; n columns.
     Eigen::MatrixXd bendingRows() const;
-    /// Their covariant derivative by c.
+    /// Covariant derivative of bendingRows() by c.
     Eigen::MatrixXd bendingDerivativeRows(int c) const;
     /// (E11, E22, 2 E12), linear; component c of node k is column 3 k + c.
     Eigen::MatrixXd membraneRows() const;
 
-    /// What the section answers at rest.
+    /// Response of the section at rest.
     SectionResponse atRest(const ShellSection& section) const;
 
     std::vector<int> nodes;

@@ -5,7 +5,6 @@
 #include "geometry/trimming/PatchQuadrature.hpp"
 #include "igaStructure/assembly/ElasticMaterial.hpp"
 #include "igaStructure/assembly/Field.hpp"
-#include "igaStructure/assembly/Strains.hpp"
 
 #include <array>
 #include <optional>
@@ -15,18 +14,18 @@ namespace tokay::structure {
 
 using ShellMaterial = ElasticMaterial;
 
-/// An edge that is held.
+/// Support of an edge.
 struct EdgeSupport {
     /// The edge: trimming curves of faces.
     std::vector<geometry::BrepTrim> trims;
     std::array<bool, 3> fixed = {false, false, false};
-    /// Whether the surface cannot turn about the edge.
+    /// True if the surface cannot turn about the edge.
     bool clamped = false;
     /// By penalty even where the basis could do it exactly.
     bool weak = false;
 };
 
-/// A place of a face that is held.
+/// Support of a point of a face.
 struct PointSupport {
     int face = 0;
     geometry::Parameters at;
@@ -72,27 +71,27 @@ enum class EdgeMethod {
     lagrange ///< multipliers with a small compliance
 };
 
-/// What is done about elements of which trimming leaves a sliver.
+/// Treatment of elements of which trimming leaves a sliver.
 enum class SliverTreatment {
     scaling,  ///< unknowns are scaled, as always
     extension ///< their functions are tied to those of whole elements, too
 };
 
-/// All that makes a shell or membrane.
+/// Description of a shell or membrane: model, material, supports, loads and joints.
 struct ShellDescription {
     /// Faces in the basis of the displacement; they are joined at edges of two or
     /// more trims, displacement and angle.
     geometry::BrepModel model;
     std::vector<double> thickness; ///< of each face [m]
     ShellMaterial material = {};
-    /// Of each face; empty: the one above. Damping and law are those of the one above.
+    /// Material of each face; empty: material. Damping and law are those of material.
     std::vector<ShellMaterial> faceMaterial = {};
     const ShellMaterial& materialOf(int face) const {
         return faceMaterial.empty() ? material : faceMaterial[face];
     }
     Strains strains = Strains::nonlinear;
     bool bending = true; ///< false: a membrane
-    /// Of a membrane: 11, 22, 12 in the frame of the first parameter line [Pa].
+    /// Prestress of a membrane: 11, 22, 12 in the frame of the first parameter line [Pa].
     Eigen::Vector3d prestress = Eigen::Vector3d::Zero();
     std::vector<EdgeSupport> edgeSupports = {};
     std::vector<PointSupport> pointSupports = {};

@@ -20,14 +20,14 @@ class ShellElement {
     void moveTo(const ShellPatch& patch, int i, int j);
 
     const ShellPatch& patch() const { return *patch_; }
-    /// Of each function; two functions may share one (at a pole).
+    /// Node of each function; two functions may share one (at a pole).
     const std::vector<int>& nodes() const { return nodes_; }
     int nFunctions() const { return static_cast<int>(nodes_.size()); }
-    /// None in an empty element.
+    /// Number of quadrature points; none in an empty element.
     int nPoints() const { return nPoints_; }
 
     void moveToPoint(int point);
-    /// To any place of the element or its rim; area() then is not defined.
+    /// Moves to any location of the element or its rim; area() then is not defined.
     void moveToPlace(const Eigen::Vector2d& parameters);
 
     const SurfaceFunctions& functions() const { return *functions_; }

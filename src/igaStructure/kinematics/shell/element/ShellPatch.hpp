@@ -36,9 +36,9 @@ class ShellPatch {
     const TabulatedBasis& v() const { return v_; }
 
     int nFunctions() const { return u_.nFunctions() * v_.nFunctions(); }
-    /// Of control points of the elements in a row (of equal eta) that are not empty.
+    /// Nodes of the elements in a row (of equal eta) that are not empty.
     std::vector<int> nodesOfRow(int row) const;
-    /// Of a cut element, empty for others.
+    /// Quadrature points of a cut element, empty for others.
     const std::vector<CutPoint>& cutPoints(int element) const { return cutPoints_[element]; }
 
   private:

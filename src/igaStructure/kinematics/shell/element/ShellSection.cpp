@@ -27,9 +27,9 @@ Matrix3d planeStress(const Vector3d& A, double nu) {
 
 } // namespace
 
-LinearSection::LinearSection(double youngsModulus, double poissonsRatio, double thickness)
-    : poissonsRatio_(poissonsRatio),
-      membraneStiffness_(youngsModulus * thickness / (1 - poissonsRatio * poissonsRatio)),
+LinearSection::LinearSection(const ElasticMaterial& material, double thickness)
+    : poissonsRatio_(material.poissonsRatio),
+      membraneStiffness_(material.planeStressModulus() * thickness),
       bendingStiffness_(membraneStiffness_ * thickness * thickness / 12) {}
 
 SectionResponse LinearSection::response(const FundamentalForms& reference,

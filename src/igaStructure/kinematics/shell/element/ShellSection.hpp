@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "igaStructure/assembly/ElasticMaterial.hpp"
 #include "igaStructure/assembly/UnitNormal.hpp"
 
 #include <Eigen/Core>
@@ -17,7 +18,7 @@ struct FundamentalForms {
 /// Components (11, 22, 12) of the inverse of a metric.
 Eigen::Vector3d contravariant(const Eigen::Vector3d& metric);
 
-/// What a section of a shell answers to strains of its middle surface. Strains are
+/// Resultants of a shell section at strains of its middle surface. Strains are
 /// (E11, E22, 2 E12, k11, k22, 2 k12), membrane strains and curvature changes; the
 /// resultants are the contravariant (n11, n22, n12, m11, m22, m12), work-conjugate
 /// per reference area.
@@ -41,7 +42,7 @@ class ShellSection {
 /// St. Venant-Kirchhoff material: resultants linear in the strains.
 class LinearSection : public ShellSection {
   public:
-    LinearSection(double youngsModulus, double poissonsRatio, double thickness);
+    LinearSection(const ElasticMaterial& material, double thickness);
 
     SectionResponse response(const FundamentalForms& reference,
                              const Vector6d& strains) const override;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "igaStructure/assembly/Strains.hpp"
+#include "igaStructure/assembly/ElasticMaterial.hpp"
 #include "igaStructure/assembly/UnitNormal.hpp"
 #include "igaStructure/kinematics/shell/element/ShellSection.hpp"
 

@@ -10,7 +10,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-void scatter(const PatchPlace& place, const Vector3d& load, VectorXd& force) {
+void scatter(const PatchLocation& place, const Vector3d& load, VectorXd& force) {
     for (std::size_t k = 0; k < place.nodes.size(); ++k) {
         force.segment<3>(3 * place.nodes[k]) += place.N(0, static_cast<Eigen::Index>(k)) * load;
     }
@@ -19,7 +19,7 @@ void scatter(const PatchPlace& place, const Vector3d& load, VectorXd& force) {
 } // namespace
 
 DeadLoads::DeadLoads(const ShellLoads& loads, const geometry::BrepModel& model,
-                     const ShellPatches& patches, const ElementSweep& sweep, int nUnknowns)
+                     const ShellPatches& patches, const ElementRows& sweep, int nUnknowns)
     : loads_(loads), model_(model), patches_(patches), sweep_(sweep),
       constant_(VectorXd::Zero(nUnknowns)) {
     add(0, false, constant_);
@@ -97,7 +97,7 @@ void DeadLoads::addOnEdges(double time, bool varying, VectorXd& force) const {
 void DeadLoads::addAtPoints(double time, bool varying, VectorXd& force) const {
     for (const ShellLoads::PointForce& load : loads_.pointForces) {
         if (load.force.dependsOnTime == varying) {
-            const PatchPlace place(*patches_[load.face], load.at, Eigen::Vector2d::Zero());
+            const PatchLocation place(*patches_[load.face], load.at, Eigen::Vector2d::Zero());
             scatter(place, load.force.value(place.position, time), force);
         }
     }

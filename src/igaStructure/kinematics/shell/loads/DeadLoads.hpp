@@ -2,7 +2,7 @@
 #pragma once
 
 #include "igaStructure/kinematics/shell/edges/ShellConstraints.hpp"
-#include "igaStructure/kinematics/shell/element/ElementSweep.hpp"
+#include "igaStructure/kinematics/shell/element/ElementRows.hpp"
 
 #include <Eigen/Core>
 
@@ -14,7 +14,7 @@ class DeadLoads {
   public:
     /// Patches, sweep and model are borrowed.
     DeadLoads(const ShellLoads& loads, const geometry::BrepModel& model,
-              const ShellPatches& patches, const ElementSweep& sweep, int nUnknowns);
+              const ShellPatches& patches, const ElementRows& sweep, int nUnknowns);
 
     /// @return  nUnknowns [N]
     const Eigen::VectorXd& at(double time);
@@ -32,7 +32,7 @@ class DeadLoads {
     ShellLoads loads_;
     const geometry::BrepModel& model_;
     const ShellPatches& patches_;
-    const ElementSweep& sweep_;
+    const ElementRows& sweep_;
     Eigen::VectorXd constant_;
     Eigen::VectorXd force_;
 };

@@ -16,7 +16,7 @@ namespace {
 
 using BaseVectors = Eigen::Matrix<double, 3, 2>;
 
-BaseVectors currentBaseVectors(const PatchPlace& place, const VectorXd& displacement) {
+BaseVectors currentBaseVectors(const PatchLocation& place, const VectorXd& displacement) {
     BaseVectors a = place.baseVectors;
     for (std::size_t k = 0; k < place.nodes.size(); ++k) {
         const auto column = static_cast<Eigen::Index>(k);
@@ -55,7 +55,7 @@ class Outward {
 };
 
 // Rows (a1, a2) of a place by the displacements of its nodes.
-MatrixXd baseVectorRows(const PatchPlace& place) {
+MatrixXd baseVectorRows(const PatchLocation& place) {
     MatrixXd rows = MatrixXd::Zero(6, 3 * place.N.cols());
     for (Eigen::Index k = 0; k < place.N.cols(); ++k) {
         rows.block<3, 3>(0, 3 * k).diagonal().setConstant(place.N(1, k));
@@ -67,7 +67,7 @@ MatrixXd baseVectorRows(const PatchPlace& place) {
 } // namespace
 
 FollowerLoads::FollowerLoads(const ShellLoads& loads, const geometry::BrepModel& model,
-                             const ShellPatches& patches, const ElementSweep& sweep)
+                             const ShellPatches& patches, const ElementRows& sweep)
     : pressures_(loads.pressures), patches_(patches), sweep_(sweep) {
     for (const ShellLoads::EdgeMoment& load : loads.edgeMoments) {
         moments_.push_back({load.moment, edgePoints(*patches[load.trim.face],

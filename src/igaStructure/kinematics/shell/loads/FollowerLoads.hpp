@@ -3,7 +3,7 @@
 
 #include "igaStructure/assembly/NodePattern.hpp"
 #include "igaStructure/kinematics/shell/edges/ShellConstraints.hpp"
-#include "igaStructure/kinematics/shell/element/ElementSweep.hpp"
+#include "igaStructure/kinematics/shell/element/ElementRows.hpp"
 
 #include <Eigen/Core>
 
@@ -15,7 +15,7 @@ class FollowerLoads {
   public:
     /// All but the loads is borrowed.
     FollowerLoads(const ShellLoads& loads, const geometry::BrepModel& model,
-                  const ShellPatches& patches, const ElementSweep& sweep);
+                  const ShellPatches& patches, const ElementRows& sweep);
 
     void addForce(const Eigen::VectorXd& displacement, double time, Eigen::VectorXd& force) const;
 
@@ -48,7 +48,7 @@ class FollowerLoads {
     std::vector<ShellLoads::Pressure> pressures_;
     std::vector<Moment> moments_;
     const ShellPatches& patches_;
-    const ElementSweep& sweep_;
+    const ElementRows& sweep_;
 };
 
 } // namespace tokay::structure

@@ -5,7 +5,7 @@
 
 namespace tokay::structure {
 
-/// Whether the loads of a shell that follow it have a potential, so that their
+/// True if the follower loads of a shell have a potential, so that their
 /// derivative is symmetric: no line moments, and pressures that are uniform on a
 /// surface whose rim is held. Held means: two components, or the one across a
 /// plane in which the rim lies. Joints count as closed, up to their compliance.

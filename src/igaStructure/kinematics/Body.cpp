@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "igaStructure/kinematics/Body.hpp"
+
+#include "common/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+
+namespace tokay::structure {
+
+using geometry::Points;
+
+Body::Body() {
+    add({"displacement", "m", 3, true, [this](const MotionState& state, const auto& locations) {
+             return displacements(state.displacement, locations);
+         }});
+    add({"velocity", "m/s", 3, true, [this](const MotionState& state, const auto& locations) {
+             return velocities(state, locations);
+         }});
+    add({"acceleration", "m/s^2", 3, false,
+         [this](const MotionState& state, const auto& locations) {
+             return accelerations(state, locations);
+         }});
+}
+
+const BodyField& Body::field(const std::string& name) const {
+    const auto found = std::find_if(fields_.begin(), fields_.end(),
+                                    [&](const BodyField& field) { return field.name == name; });
+    if (found == fields_.end()) {
+        std::vector<std::string> known;
+        for (const BodyField& field : fields_) {
+            known.push_back(fmt::format("{} [{}]", field.name, field.unit));
+        }
+        throw InputError(fmt::format("output.fields: this structure has no '{}'; it has: {}", name,
+                                     fmt::join(known, ", ")));
+    }
+    return *found;
+}
+
+std::vector<BodyField> Body::fields(const std::vector<std::string>& names) const {
+    std::vector<BodyField> chosen;
+    for (const std::string& name : names) {
+        chosen.push_back(field(name));
+    }
+    if (names.empty()) {
+        std::copy_if(fields_.begin(), fields_.end(), std::back_inserter(chosen),
+                     [](const BodyField& field) { return field.isDefault; });
+    }
+    return chosen;
+}
+
+std::unique_ptr<InterfaceTransfer> Body::transfer(const Coupling& coupling,
+                                                  const Points& points) const {
+    const WetSurface surface = wetSurface(coupling.interface);
+    const auto mapping = [&](TransferMethod method) {
+        return makeMapping(method, surface, points, coupling.gapLimit, model().isLinear());
+    };
+    return std::make_unique<InterfaceTransfer>(
+        model(), std::visit([](const auto& wet) -> Points { return wet.coordinates(); }, surface),
+        mapping(coupling.method), coupling.loadMethod ? mapping(*coupling.loadMethod) : nullptr,
+        depth());
+}
+
+} // namespace tokay::structure

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "igaStructure/kinematics/shell/edges/EdgeCoupling.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace tokay::structure {
+
+/// Terms of Nitsche's method at a point of an edge: the work of the tractions on the
+/// constrained motion, subtracted, and a penalty just stiff enough that the energy
+/// stays positive (linear strains).
+/// Source: Benzaken, Evans, McCormick & Tamstorf 2021
+class NitscheCoupling : public EdgeCoupling {
+  public:
+    /// @param nodes          each once
+    /// @param held           displacement (3), its derivative along the edge (3) and the
+    ///                       rotation about it (1): rows by the nodes' displacement
+    /// @param traction       work-conjugate to them
+    /// @param stabilisation  7 x 7
+    NitscheCoupling(std::vector<int> nodes, Eigen::MatrixXd held, Eigen::MatrixXd traction,
+                    Eigen::MatrixXd stabilisation);
+
+    Answer answer(const Eigen::VectorXd& displacement, Strains strains,
+                  bool withTangent) const override;
+    Eigen::MatrixXd restRows() const override { return held_; }
+
+  private:
+    Eigen::MatrixXd held_, traction_, stabilisation_;
+};
+
+/// Terms of all points of an edge that is held or at which two patches meet. The
+/// tractions of two sides are weighted so that the softer one counts; those of a
+/// sliver are its neighbour's, continued.
+/// Source of the weights: Annavarapu, Hautefeuille & Dolbow 2012
+/// @param components  of the displacement, that are held
+/// @param rotation    whether the rotation about the edge is held
+/// @param bending     false: membranes
+/// @param factor      on the stabilisation; below 1/3 it may not suffice
+std::vector<std::unique_ptr<EdgeCoupling>> nitscheCouplings(const std::vector<EdgePoint>& points,
+                                                            const std::array<bool, 3>& components,
+                                                            bool rotation, bool bending,
+                                                            double factor);
+
+} // namespace tokay::structure
