@@ -8,7 +8,6 @@
 #include "common/errors.hpp"
 #include "igaStructure/case/makeBody.hpp"
 #include "igaStructure/case/readCase.hpp"
-#include "igaStructure/caseFile/CaseSection.hpp"
 #include "igaStructure/timeIntegration/TimeIntegrator.hpp"
 
 #include <fmt/format.h>
@@ -132,7 +131,7 @@ double tipOf(const Body& body, const Eigen::VectorXd& displacement) {
 }
 
 Price solveOnce(const Flap& flap) {
-    const Case structureCase = readCase(CaseSection::fromText(caseText(flap), "flap"), "flap");
+    const Case structureCase = readCaseText(caseText(flap), "flap");
     const std::clock_t start = std::clock();
     const std::unique_ptr<Body> body = makeBody(structureCase);
     StructuralModel& model = body->model();

@@ -104,7 +104,7 @@ struct Outcome {
 Outcome run(const Scene& scene, double contraction) {
     const std::unique_ptr<StructuralModel> model = scene.make();
     NewtonOptions newton;
-    newton.maximumIterations = 100;
+    newton.maxIterations = 100;
     newton.lineSearch = scene.lineSearch;
     newton.reuseContraction = contraction;
     TimeIntegrator integrator(*model, scene.scheme, newton, 0);

@@ -7,6 +7,7 @@
 #include <muParser.h>
 
 #include <cmath>
+#include <cstring>
 
 namespace tokay {
 
@@ -27,24 +28,71 @@ struct Formula::Implementation {
         parser.DefineVar("t", &t);
         parser.DefineConst("pi", M_PI);
         parser.DefineConst("e", M_E);
-        parser.SetExpr(text);
     }
 
-    InputError error(const mu::Parser::exception_type& exception) const {
-        return InputError(fmt::format("{}formula '{}' cannot be read: {} Variables are x, y, z "
-                                      "[m] and t [s].",
-                                      where, text, exception.GetMsg()));
+    InputError error(const std::string& message) const {
+        return InputError(fmt::format("{}formula '{}' {}", where, shortened(text), message));
     }
+
+    InputError unreadable(const mu::Parser::exception_type& exception) const {
+        return error(fmt::format("cannot be read: {}; variables are x, y, z [m] and t [s]",
+                                 shortened(withoutFullStop(exception.GetMsg()))));
+    }
+
+    static std::string withoutFullStop(std::string message) {
+        if (!message.empty() && message.back() == '.') {
+            message.pop_back();
+        }
+        return message;
+    }
+
+    void parse() {
+        if (text.size() > maxLength) {
+            throw error(
+                fmt::format("has {} characters; at most {} can be read", text.size(), maxLength));
+        }
+        if (assigns(text)) {
+            throw error("assigns a value; write an expression (== compares)");
+        }
+        int nValues = 0;
+        double value = 0;
+        try {
+            parser.SetExpr(text);
+            value = *parser.Eval(nValues);
+        } catch (const mu::Parser::exception_type& exception) {
+            throw unreadable(exception);
+        }
+        if (nValues != 1) {
+            throw error(fmt::format("has {} expressions; write one, with a point in decimal "
+                                    "numbers (0.5, not 0,5)",
+                                    nValues));
+        }
+        if (parser.GetUsedVar().empty() && !std::isfinite(value)) {
+            throw error(fmt::format("is {}; it must be finite", value));
+        }
+    }
+
+    // A single =, which is not part of ==, !=, <= or >=.
+    static bool assigns(const std::string& text) {
+        for (std::size_t i = 0; i < text.size(); ++i) {
+            if (text[i] == '=' && i + 1 < text.size() && text[i + 1] == '=') {
+                ++i;
+            } else if (text[i] == '=' && (i == 0 || std::strchr("!<>", text[i - 1]) == nullptr)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    static constexpr std::size_t maxLength = 4000; // muParser's limit is 5000
 };
 
 Formula::Formula(const std::string& text, const std::string& where)
     : implementation_(std::make_unique<Implementation>(text, where)) {
-    try {
-        implementation_->parser.Eval();
-    } catch (const mu::Parser::exception_type& exception) {
-        throw implementation_->error(exception);
-    }
+    implementation_->parse();
 }
+
+Formula::Formula() : Formula("0", "") {}
 
 Formula::Formula(const Formula& other)
     : Formula(other.implementation_->text, other.implementation_->where) {}
@@ -66,12 +114,11 @@ double Formula::operator()(const Eigen::Vector3d& at, double t) const {
     try {
         value = implementation_->parser.Eval();
     } catch (const mu::Parser::exception_type& exception) {
-        throw implementation_->error(exception);
+        throw implementation_->unreadable(exception);
     }
     if (!std::isfinite(value)) {
-        throw InputError(fmt::format("{}formula '{}' gives {} at x = {}, y = {}, z = {}, t = {}",
-                                     implementation_->where, implementation_->text, value, at[0],
-                                     at[1], at[2], t));
+        throw implementation_->error(fmt::format("gives {} at x = {}, y = {}, z = {}, t = {}",
+                                                 value, at[0], at[1], at[2], t));
     }
     return value;
 }

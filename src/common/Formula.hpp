@@ -8,13 +8,17 @@
 
 namespace tokay {
 
-/// A number or a formula in x, y, z [m] and t [s], e.g.
-/// "100*y*sin(2*pi*t)". Functions are muParser's: sin, cos, tan, exp, ln, sqrt,
-/// abs, min, max, a ? b : c, …; pi and e are constants.
+/// Number or formula in x, y, z [m] and t [s], e.g. "100*y*sin(2*pi*t)": one
+/// expression. Functions are muParser's: sin, cos, tan, exp, ln, sqrt, abs, min, max,
+/// a ? b : c, …; pi and e are constants.
 class Formula {
   public:
-    /// @param where  place in the case file or command line, begins messages
-    /// @throws InputError if it cannot be read
+    /// The formula 0.
+    Formula();
+
+    /// @param where  location in the case file or command line, begins messages
+    /// @throws InputError if it cannot be read, is not one expression, or is constant
+    ///         and not finite
     Formula(const std::string& text, const std::string& where);
     Formula(const Formula&);
     Formula& operator=(const Formula&);

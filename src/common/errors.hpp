@@ -20,4 +20,10 @@ class SolverError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// Text of the user's as a message quotes it: its start if it is long.
+inline std::string shortened(const std::string& text) {
+    constexpr std::size_t maxLength = 80;
+    return text.size() <= maxLength ? text : text.substr(0, maxLength) + "...";
+}
+
 } // namespace tokay

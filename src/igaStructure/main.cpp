@@ -4,7 +4,6 @@
 #include "common/errors.hpp"
 #include "common/version.hpp"
 #include "igaStructure/case/readCase.hpp"
-#include "igaStructure/caseFile/CaseEntry.hpp"
 #include "igaStructure/coupledRun/CoupledRun.hpp"
 #include "igaStructure/run/Interruption.hpp"
 #include "igaStructure/run/checkCase.hpp"

@@ -275,7 +275,7 @@ flap()
   acceleration: {type: iqnIls}"
         printf 'newton: {reuseContraction: 0, tolerance: 1e-6}\n' >> structure/case.yaml
     done
-    flapEntry "newton: {" "newton: {maximumIterations: 3, "
+    flapEntry "newton: {" "newton: {maxIterations: 3, "
     coupling onUnconverged retry
     runFluid
     expectText log.pimpleFoam "rejected: time 0.01 s, time step 0.01 s: Newton's method did not converge"

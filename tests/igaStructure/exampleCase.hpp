@@ -2,7 +2,6 @@
 #pragma once
 
 #include "igaStructure/case/readCase.hpp"
-#include "igaStructure/caseFile/CaseSection.hpp"
 
 #include <string>
 
@@ -42,7 +41,7 @@ inline std::string exampleText(const std::string& from = "", const std::string& 
 }
 
 inline Case readText(const std::string& text, const std::string& fileName = "case.yaml") {
-    return readCase(CaseSection::fromText(text, fileName), fileName);
+    return readCaseText(text, fileName);
 }
 
 } // namespace tokay::structure

@@ -8,32 +8,20 @@
 #include "igaStructure/kinematics/shell/element/ShellDescription.hpp"
 #include "igaStructure/kinematics/solid/SolidDescription.hpp"
 #include "igaStructure/timeIntegration/NewtonOptions.hpp"
-#include "igaStructure/timeIntegration/TimeScheme.hpp"
+#include "igaStructure/timeIntegration/TimeOptions.hpp"
 
 #include <optional>
 #include <string>
 #include <variant>
-#include <vector>
 
 namespace tokay::structure {
 
 /// Time steps of a run alone, which begins at 0.
 struct TimeSteps {
-    double step;         ///< [s]
-    double end;          ///< [s]
-    double smallestStep; ///< a failed step is halved down to this; step: never [s]
+    double step;      ///< [s]
+    double end;       ///< [s]
+    double minDeltaT; ///< a failed step is halved down to this; step: never [s]
 };
-
-/// Explicit time integration, with the lumped mass.
-struct CentralDifferences {};
-
-/// Equilibrium path of a static structure, through limit points.
-struct EquilibriumPath {
-    int maxSteps = 1000;
-};
-
-/// How a structure is advanced in time.
-using TimeIntegration = std::variant<TimeScheme, CentralDifferences, EquilibriumPath>;
 
 /// Geometry, model, material, supports and loads of one of the kinematics.
 using StructureCase =

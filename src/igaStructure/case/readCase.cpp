@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/case/readCase.hpp"
 
-#include "common/errors.hpp"
-#include "igaStructure/case/readCoupling.hpp"
-#include "igaStructure/caseFile/CaseSection.hpp"
-#include "igaStructure/caseFile/requireUsed.hpp"
-#include "igaStructure/kinematics/beam/readBeam.hpp"
-#include "igaStructure/kinematics/plane/readPlaneSolid.hpp"
-#include "igaStructure/kinematics/readGeometry.hpp"
-#include "igaStructure/kinematics/shell/readShell.hpp"
-#include "igaStructure/kinematics/solid/readSolid.hpp"
+#include "common/digest.hpp"
+#include "igaStructure/case/kinematicsTypes.hpp"
+#include "igaStructure/caseFile/describeSchema.hpp"
+#include "igaStructure/caseFile/readOptions.hpp"
+#include "igaStructure/caseFile/readValue.hpp"
 
 #include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <cctype>
@@ -22,174 +19,205 @@ namespace tokay::structure {
 
 namespace {
 
-StructureCase readStructure(const CaseSection& file, const std::string& directory) {
-    const std::string kinematics = file.section("model").text("kinematics");
-    if (kinematics == "shell" || kinematics == "membrane") {
-        return readShell(file, directory);
-    }
-    if (kinematics == "solid") {
-        return readSolid(file);
-    }
-    const CaseSection material = file.section("material");
-    if (material.text("type") != "StVenantKirchhoff") {
-        throw material.error("type", fmt::format("'{}' is a material of shells, membranes and "
-                                                 "solids, not of {}",
-                                                 material.text("type"), kinematics));
-    }
-    if (kinematics == "beam" || kinematics == "cable") {
-        return readBeam(file);
-    }
-    return readPlaneSolid(file);
-}
-
-TimeIntegration readTimeScheme(const CaseSection& section) {
-    const auto numberOr = [&](const char* name, double otherwise) {
-        return section.has(name) ? section.number(name) : otherwise;
-    };
-    const std::string scheme = section.text("scheme");
-    if (scheme == "static") {
-        requireUsed(section, {"scheme", "step", "end", "smallestStep"}, "scheme static");
-        return TimeScheme::quasiStatic();
-    }
-    if (scheme == "explicit") {
-        requireUsed(section, {"scheme", "step", "end"}, "scheme explicit");
-        return CentralDifferences{};
-    }
-    if (scheme == "arcLength") {
-        requireUsed(section, {"scheme", "step", "end", "largestSteps"}, "scheme arcLength");
-        EquilibriumPath path;
-        if (section.has("largestSteps")) {
-            path.maxSteps = section.integer("largestSteps");
-        }
-        return path;
-    }
-    if (scheme == "newmark") {
-        requireUsed(section, {"scheme", "beta", "gamma", "step", "end", "smallestStep", "substeps"},
-                    "scheme newmark");
-        return TimeScheme::newmark(numberOr("beta", 0.25), numberOr("gamma", 0.5));
-    }
-    requireUsed(section, {"scheme", "spectralRadius", "step", "end", "smallestStep", "substeps"},
-                "scheme generalisedAlpha");
-    return TimeScheme::generalisedAlpha(numberOr("spectralRadius", 0.8));
-}
-
-std::optional<TimeSteps> readTimeSteps(const CaseSection& section) {
-    if (!section.has("step") && !section.has("end")) {
-        return std::nullopt;
-    }
-    for (const char* name : {"step", "end"}) {
-        if (!section.has(name)) {
-            throw section.error("", fmt::format("entry '{}' is missing: a run alone needs step "
-                                                "and end (a coupled run neither)",
-                                                name));
-        }
-    }
-    TimeSteps steps{section.number("step"), section.number("end"), section.number("step")};
-    if (steps.end < steps.step) {
-        throw section.error(
-            "end", fmt::format("{} s is shorter than one step of {} s", steps.end, steps.step));
-    }
-    if (section.has("smallestStep")) {
-        steps.smallestStep = section.number("smallestStep");
-    }
-    return steps;
-}
-
-NewtonOptions readNewton(const CaseSection& file) {
-    const CaseSection section = file.section("newton");
-    const std::string kinematics = file.section("model").text("kinematics");
-    const bool isStatic = file.section("time").text("scheme") == "static";
-    const bool bendsThinly = kinematics == "shell" || kinematics == "beam";
-    return {section.number("tolerance"), section.integer("maximumIterations"),
-            section.has("lineSearch") ? section.yesNo("lineSearch") : !bendsThinly,
-            section.has("reuseContraction") ? section.number("reuseContraction")
-            : isStatic                      ? 0
-                                            : 0.1};
-}
-
-// The name becomes one of files and a folder, and stands in XML.
-std::string readName(const CaseSection& file, const std::string& fileName) {
-    const std::string name =
-        file.has("name") ? file.text("name") : std::filesystem::path(fileName).stem().string();
-    const bool isUsable = !name.empty() && name.front() != '.' &&
-                          std::none_of(name.begin(), name.end(), [](unsigned char c) {
-                              return std::iscntrl(c) || std::strchr("/\\<>&\"'", c);
-                          });
-    if (!isUsable) {
-        throw file.error("name", fmt::format("'{}' cannot name results; take letters, digits, "
-                                             "blanks, '-', '_' and '.', not '.' first",
-                                             name));
-    }
-    return name;
-}
-
-// Names of columns: a table's columns are separated by white space.
-WatchPoint readWatchPoint(const CaseSection& section, const std::vector<WatchPoint>& earlier) {
-    WatchPoint point{section.text("name"), readCoordinates(section, "at")};
-    const bool isUsable = !point.name.empty() &&
-                          std::none_of(point.name.begin(), point.name.end(), [](unsigned char c) {
-                              return std::iscntrl(c) || std::isspace(c) || std::strchr("#[]\"", c);
-                          });
-    if (!isUsable) {
-        throw section.error("name", fmt::format("'{}' cannot name columns of a table; leave out "
-                                                "white space, '#', '\"', '[' and ']'",
-                                                point.name));
-    }
-    const bool isKnown = std::any_of(earlier.begin(), earlier.end(), [&](const WatchPoint& other) {
-        return other.name == point.name;
-    });
-    if (isKnown) {
-        throw section.error("name", fmt::format("'{}' is the name of two watch points; give each "
-                                                "its own",
-                                                point.name));
-    }
-    return point;
-}
-
-OutputOptions readOutput(const CaseSection& section, const std::string& directory) {
+/// Entries of a case file that every kinematics has alike.
+struct CommonEntries : Located {
+    std::optional<std::string> name;
+    TimeOptions time;
+    NewtonOptions newton;
     OutputOptions output;
-    output.directory = (std::filesystem::path(directory) / section.text("directory")).string();
-    output.interval = section.integer("interval");
-    if (section.has("fields")) {
-        output.fields = section.words("fields");
+
+    static const SchemaOf<CommonEntries>& schema() {
+        static const SchemaOf<CommonEntries> schema = {
+            {"name", &CommonEntries::name, "Name of the case in the names of results.",
+             otherwise("the case file's name without .yaml")},
+            {"time", &CommonEntries::time, "Time integration.", otherwise("`{}`")},
+            {"newton", &CommonEntries::newton, "Newton's method, with nonlinear strains.",
+             otherwise("`{}`")},
+            {"output", &CommonEntries::output, "Results.", otherwise("`{}`")}};
+        return schema;
     }
-    output.cells = section.text("cells") == "bezier" ? CellShape::bezier : CellShape::quads;
-    output.subdivision = section.integer("subdivision");
-    for (const CaseSection& item : section.list("watchPoints")) {
-        output.watchPoints.push_back(readWatchPoint(item, output.watchPoints));
+
+    void requireValid() const {
+        time.requireValid();
+        output.requireValid();
     }
-    return output;
+
+    // The name becomes one of files and a folder, and stands in XML.
+    std::string usableName(const std::string& fileName) const {
+        const std::string usable = name.value_or(std::filesystem::path(fileName).stem().string());
+        const bool isUsable = !usable.empty() && usable.front() != '.' &&
+                              std::none_of(usable.begin(), usable.end(), [](unsigned char c) {
+                                  return std::iscntrl(c) || std::strchr("/\\<>&\"'", c);
+                              });
+        if (!isUsable) {
+            throw error("name", fmt::format("'{}' cannot name results; take letters, digits, "
+                                            "blanks, '-', '_' and '.', not '.' first",
+                                            shortened(usable)));
+        }
+        return usable;
+    }
+};
+
+std::vector<Alternative> kinematicsNames() {
+    std::vector<Alternative> names;
+    for (const KinematicsType& type : kinematicsTypes()) {
+        names.push_back({type.name, type.meaning, {}});
+    }
+    return names;
 }
 
-// Of a NURBS its control points.
-std::string geometryPlace(const CaseSection& geometry) {
-    return geometry.has("nurbs") ? geometry.section("nurbs").error("controlPoints", "").what()
-                                 : geometry.error(geometry.givenNames().front(), "").what();
-}
+/// Reads the root of a case file.
+class CaseReader {
+  public:
+    explicit CaseReader(LocatedNode root) : root_(std::move(root)) {}
+
+    Case read() {
+        const KinematicsType& kinematics = findKinematics();
+        const std::unique_ptr<BodyEntries> body = kinematics.makeEntries();
+        CommonEntries common;
+        setDefaults(kinematics, common, body->coupling());
+        readEntries(kinematics, common, *body);
+        common.requireValid();
+        return make(common, *body);
+    }
+
+  private:
+    // The kinematics decides about all entries: it is looked up before they are read.
+    const KinematicsType& findKinematics() const {
+        if (!root_.node.IsMap()) {
+            throw wrongKind(root_, "a map with the entries name, geometry, model, ...");
+        }
+        const LocatedNode model = root_.child("model");
+        const LocatedNode word =
+            model.node.IsDefined() && model.node.IsMap() ? model.child("kinematics") : model;
+        return word.node.IsDefined() && word.node.IsScalar()
+                   ? kinematicsTypes()[readChoice(word, kinematicsNames())]
+                   : kinematicsTypes().front(); // the reader says what is missing
+    }
+
+    // Defaults that depend on other sections. Mistakes in these are reported here, too.
+    void setDefaults(const KinematicsType& kinematics, CommonEntries& common, Coupling& coupling) {
+        const LocatedNode section = root_.child("time");
+        TimeOptions time;
+        if (section.node.IsDefined()) {
+            readOptions(section, time);
+        }
+        context_.isExplicit = time.scheme == TimeOptions::centralDifferences;
+        context_.isCoupled = root_.child("coupling").node.IsDefined();
+        common.newton.lineSearch = !kinematics.bendsThinly;
+        common.newton.reuseContraction = time.scheme == TimeOptions::quasiStatic ? 0 : 0.1;
+        coupling.substeps = time.substeps;
+        if (time.substeps > 1) {
+            coupling.options.acceleration = coupling::Acceleration::iqnIls;
+        }
+    }
+
+    void readEntries(const KinematicsType& kinematics, CommonEntries& common, BodyEntries& body) {
+        struct Both {
+            void* common;
+            void* body;
+        } both{&common, body.entries()};
+        const Schema bodySchema =
+            kinematics.schema->in([](void* all) { return static_cast<Both*>(all)->body; });
+        Schema schema =
+            CommonEntries::schema().in([](void* all) { return static_cast<Both*>(all)->common; });
+        schema.entries.insert(schema.entries.begin() + 1, bodySchema.entries.begin(),
+                              bodySchema.entries.end());
+        schema.locate = [&kinematics](void* all, const Located& location) {
+            CommonEntries::schema().locate(static_cast<Both*>(all)->common, location);
+            kinematics.schema->locate(static_cast<Both*>(all)->body, location);
+        };
+        MadeChoice choice{kinematics.name, {}};
+        for (const KinematicsType& other : kinematicsTypes()) {
+            choice.others.push_back(other.schema);
+        }
+        readOptions(root_, schema, &both, choice);
+    }
+
+    Case make(const CommonEntries& common, BodyEntries& body) {
+        const std::filesystem::path path(root_.file);
+        context_.directory = path.has_parent_path() ? path.parent_path().string() : ".";
+        Case result{common.usableName(root_.file),
+                    root_.file,
+                    context_.directory,
+                    body.make(context_),
+                    common.time.scheme(common.time),
+                    std::nullopt,
+                    common.newton,
+                    common.output,
+                    std::nullopt,
+                    root_.child("supports").error("").what(),
+                    geometryPlace(),
+                    digest("geometry") + digest("discretisation")};
+        if (const auto& step = common.time.step) {
+            result.timeSteps = {*step, *common.time.end, common.time.minDeltaT.value_or(*step)};
+        }
+        result.output.directory =
+            (std::filesystem::path(context_.directory) / common.output.directory).string();
+        if (context_.isCoupled) {
+            requireValid(body.coupling());
+            result.coupling = body.coupling();
+        }
+        return result;
+    }
+
+    // The tangent of the block method is that of one step of the structure.
+    static void requireValid(const Coupling& coupling) {
+        if (coupling.substeps > 1 &&
+            coupling.options.acceleration == coupling::Acceleration::block) {
+            throw coupling.error("acceleration",
+                                 fmt::format("type 'block' does not go with time.substeps {}: its "
+                                             "tangent is that of a single step; choose iqnIls or "
+                                             "mvqn, or remove time.substeps",
+                                             coupling.substeps));
+        }
+        try {
+            coupling::requireValid(coupling.options);
+        } catch (const InputError& error) {
+            throw coupling.error("acceleration", error.what()); // options that exclude each other
+        }
+    }
+
+    // Of a NURBS its control points.
+    std::string geometryPlace() const {
+        const LocatedNode geometry = root_.child("geometry");
+        const LocatedNode shape = geometry.child(geometry.node.begin()->first.Scalar());
+        const LocatedNode points = shape.node.IsMap() ? shape.child("controlPoints") : shape;
+        return (points.node.IsDefined() ? points : shape).error("").what();
+    }
+
+    std::string digest(const std::string& section) const {
+        YAML::Emitter text;
+        text << YAML::Flow << root_.child(section).node;
+        return tokay::digest(text.c_str());
+    }
+
+    LocatedNode root_;
+    CaseContext context_;
+};
 
 } // namespace
 
 Case readCase(const std::string& fileName) {
-    return readCase(CaseSection::fromFile(fileName), fileName);
+    return CaseReader(readYaml(fileName)).read();
 }
 
-Case readCase(const CaseSection& file, const std::string& fileName) {
-    const std::filesystem::path path(fileName);
-    const std::string directory = path.has_parent_path() ? path.parent_path().string() : ".";
-    const CaseSection time = file.section("time");
-    const bool isCoupled = file.has("coupling");
-    return {readName(file, fileName),
-            fileName,
-            directory,
-            readStructure(file, directory),
-            readTimeScheme(time),
-            readTimeSteps(time),
-            readNewton(file),
-            readOutput(file.section("output"), directory),
-            isCoupled ? std::optional(readCoupling(file)) : std::nullopt,
-            file.error("supports", "").what(),
-            geometryPlace(file.section("geometry")),
-            file.section("geometry").digest() + file.section("discretisation").digest()};
+Case readCaseText(const std::string& text, const std::string& fileName) {
+    return CaseReader(parseYaml(text, fileName)).read();
+}
+
+std::string describeCaseEntries() {
+    SchemaTables tables;
+    std::string text = "\n## Entries of every case\n" + tables.table("", CommonEntries::schema());
+    text += "\n## Kinematics\n\n`model.kinematics` decides which other entries there are.\n\n"
+            "| kinematics | meaning |\n|---|---|\n";
+    for (const KinematicsType& type : kinematicsTypes()) {
+        text += fmt::format("| `{}` | {} |\n", type.name, type.meaning);
+    }
+    for (const KinematicsType& type : kinematicsTypes()) {
+        text += fmt::format("\n### kinematics: {}\n", type.name) + tables.table("", *type.schema);
+    }
+    return text;
 }
 
 } // namespace tokay::structure

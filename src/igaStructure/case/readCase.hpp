@@ -3,14 +3,19 @@
 
 #include "igaStructure/case/Case.hpp"
 
+#include <string>
+
 namespace tokay::structure {
 
-class CaseSection;
-
+/// Reads a case file.
 /// @throws InputError for the first mistake: file, line, entry, what to change
 Case readCase(const std::string& fileName);
 
-/// As above, from a validated file.
-Case readCase(const CaseSection& file, const std::string& fileName);
+/// Reads the text of a case file.
+/// @param fileName  for messages, and to find other files
+Case readCaseText(const std::string& text, const std::string& fileName);
+
+/// The manual's tables of all entries (doc/caseFile.md), in Markdown.
+std::string describeCaseEntries();
 
 } // namespace tokay::structure

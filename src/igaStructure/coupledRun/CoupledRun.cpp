@@ -6,7 +6,6 @@
 #include "common/errors.hpp"
 #include "igaStructure/case/makeBody.hpp"
 #include "igaStructure/case/readCase.hpp"
-#include "igaStructure/case/readCoupling.hpp"
 #include "igaStructure/coupledRun/CoupledStructure.hpp"
 #include "igaStructure/coupledRun/FluidLink.hpp"
 #include "igaStructure/coupledRun/PrescribedStructure.hpp"

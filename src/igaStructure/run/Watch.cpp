@@ -20,14 +20,14 @@ std::string coordinates(const Eigen::VectorXd& x) {
 
 Watch::Watch(const Body& body, const std::vector<WatchPoint>& points) : body_(body) {
     for (const WatchPoint& point : points) {
-        const Body::Closest found = body.closest(point.at);
+        const Body::Closest found = body.closest(point.point());
         if (found.distance > watchTolerance * body.model().size()) {
             const Eigen::VectorXd nearest = body.positions({found.location}).col(0);
-            throw InputError(fmt::format("output.watchPoints: '{}' at [{}] lies {:.4g} m "
-                                         "outside the body; its nearest point is [{}]",
-                                         point.name, coordinates(point.at.head(body.dimension())),
-                                         found.distance,
-                                         coordinates(nearest.head(body.dimension()))));
+            throw InputError(
+                fmt::format("output.watchPoints: '{}' at [{}] lies {:.4g} m "
+                            "outside the body; its nearest point is [{}]",
+                            point.name, coordinates(point.point().head(body.dimension())),
+                            found.distance, coordinates(nearest.head(body.dimension()))));
         }
         names_.push_back(point.name);
         locations_.push_back(found.location);

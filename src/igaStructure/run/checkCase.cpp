@@ -2,7 +2,6 @@
 #include "igaStructure/run/checkCase.hpp"
 
 #include "igaStructure/case/makeBody.hpp"
-#include "igaStructure/case/readCoupling.hpp"
 #include "igaStructure/linearAlgebra/blas.hpp"
 #include "igaStructure/run/Watch.hpp"
 #include "igaStructure/run/advise.hpp"

@@ -48,9 +48,8 @@ struct Advance {
 // A new time integration adds its own overload.
 Advance makeAdvance(const TimeScheme& scheme, const Case& structureCase, const TimeSteps& steps,
                     StructuralModel& model, const Report& /*report*/) {
-    return {
-        std::make_unique<ImplicitStepper>(model, scheme, structureCase.newton, steps.smallestStep),
-        numberOfSteps(steps)};
+    return {std::make_unique<ImplicitStepper>(model, scheme, structureCase.newton, steps.minDeltaT),
+            numberOfSteps(steps)};
 }
 
 Advance makeAdvance(const CentralDifferences& /*scheme*/, const Case& /*structureCase*/,

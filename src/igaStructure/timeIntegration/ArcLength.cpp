@@ -68,7 +68,7 @@ ArcLength::Iterate ArcLength::predict() {
 }
 
 bool ArcLength::correct(Iterate& iterate) {
-    for (nIterations_ = 0; nIterations_ < newton_.maximumIterations; ++nIterations_) {
+    for (nIterations_ = 0; nIterations_ < newton_.maxIterations; ++nIterations_) {
         const VectorXd external = force(iterate);
         const VectorXd internal = model_.internalForce(iterate.displacement).force;
         VectorXd residual = external - internal;

@@ -264,7 +264,7 @@ void TimeIntegrator::renewTangent() {
 
 void TimeIntegrator::solveNonlinear() {
     Balance current = balance(displacement_);
-    for (nIterations_ = 0; nIterations_ < newton_.maximumIterations; ++nIterations_) {
+    for (nIterations_ = 0; nIterations_ < newton_.maxIterations; ++nIterations_) {
         residuals_.push_back(current.residual.norm() / current.scale);
         if (!std::isfinite(residuals_.back())) {
             throwNotConverged("the residual is not finite");
@@ -326,8 +326,7 @@ void TimeIntegrator::throwNotConverged(const char* why) const {
     throw SolverError(fmt::format(
         "time {:.6g} s, time step {:.6g} s: {} (relative residuals {:.2e}, tolerance {:g}, at most "
         "{} iterations); use a smaller time step or load step, or check loads and material",
-        time_, deltaT_, why, fmt::join(residuals_, " "), newton_.tolerance,
-        newton_.maximumIterations));
+        time_, deltaT_, why, fmt::join(residuals_, " "), newton_.tolerance, newton_.maxIterations));
 }
 
 std::string TimeIntegrator::freeMotionsHint() const {

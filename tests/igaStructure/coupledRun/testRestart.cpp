@@ -351,7 +351,7 @@ class ImpossibleStep : public testing::Test {
   protected:
     ImpossibleStep() {
         caseFile =
-            directory.write("case.yaml", nonlinearCaseText() + "newton: {maximumIterations: 2}\n");
+            directory.write("case.yaml", nonlinearCaseText() + "newton: {maxIterations: 2}\n");
     }
     TemporaryDirectory directory;
     std::string caseFile;

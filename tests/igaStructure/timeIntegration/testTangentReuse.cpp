@@ -81,7 +81,7 @@ TEST(TangentReuse, tangent_that_no_longer_serves_is_replaced) {
     kind.loads.tractions.push_back({Formula("0", ""), Formula("t < 1.5 ? -0.001*t : -100", "")});
     Beam line = kind.build();
     NewtonOptions newton = reusing(0.5);
-    newton.maximumIterations = 60;
+    newton.maxIterations = 60;
     TimeIntegrator integrator(line, TimeScheme::quasiStatic(), newton, 0);
     for (int step = 1; step <= 2; ++step) {
         integrator.beginTimeStep(step, 1);

@@ -89,7 +89,7 @@ TEST(BeamCase, end_moment_rolls_the_flap_up_in_few_iterations) {
     std::string text = exampleBeamText("  - {traction: [\"100*y\", 0]}",
                                        "  - {end: end, moment: \"t*2*pi*366.3003663\"}");
     text.replace(text.find("time: {step: 0.01, end: 0.1"), 27,
-                 "newton: {maximumIterations: 12}\ntime: {scheme: static, step: 0.05, end: 1");
+                 "newton: {maxIterations: 12}\ntime: {scheme: static, step: 0.05, end: 1");
     const TemporaryDirectory directory;
     const auto rows = runText(directory, text); // throws if it takes more
     EXPECT_NEAR(rows.back()[2], -1, 0.02);      // degree 3, 8 elements
@@ -192,7 +192,7 @@ TEST(BeamCase, load_step_that_is_too_large_is_taken_in_halves) {
     text.replace(text.find("time: {step: 0.01, end: 0.1"), 27, whole);
     const TemporaryDirectory directory;
     EXPECT_THROW(runText(directory, text), SolverError);
-    text.replace(text.find(whole), whole.size(), whole + ", smallestStep: 0.001");
+    text.replace(text.find(whole), whole.size(), whole + ", minDeltaT: 0.001");
     const auto rows = runText(directory, text);
     ASSERT_EQ(rows.size(), 1u);
     EXPECT_NEAR(rows[0][1], 0, 0.02); // degree 3, 8 elements
@@ -208,6 +208,6 @@ TEST(BeamCase, arc_length_run_reaches_its_end_or_its_number_of_steps) {
     const auto rows = runText(directory, text);
     EXPECT_GE(rows.back()[0], 1);
     EXPECT_LT(rows[rows.size() - 2][0], 1);
-    text.replace(text.find("end: 1}"), 7, "end: 1, largestSteps: 3}");
+    text.replace(text.find("end: 1}"), 7, "end: 1, maxSteps: 3}");
     EXPECT_EQ(runText(directory, text).size(), 3u);
 }

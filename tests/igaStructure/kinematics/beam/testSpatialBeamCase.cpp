@@ -50,7 +50,7 @@ const std::string cableText =
     "  - {end: end, fix: [x, y, z]}\n"
     "loads:\n"
     "  - {gravity: [0, 0, \"-9.81*t\"]}\n"
-    "time: {scheme: static, step: 0.1, end: 1, smallestStep: 0.01}\n"
+    "time: {scheme: static, step: 0.1, end: 1, minDeltaT: 0.01}\n"
     "output:\n"
     "  interval: 0\n"
     "  watchPoints:\n"
