@@ -33,7 +33,7 @@ class Accelerator {
 
     /// What earlier steps have taught, between two time steps.
     virtual void save(StateWriter&) const {}
-    /// Goes on from what save() wrote. @throws PeerError if it is another method's
+    /// Goes on from what save() wrote. @throws channel::PeerError if it is another method's
     virtual void restore(StateReader&) {}
 
     /// Pairs of differences in use, for statistics.

@@ -52,7 +52,7 @@ class BlockQuasiNewton {
     /// What earlier steps have left behind, between two time steps.
     void save(StateWriter& state) const;
     /// Goes on from what save() wrote.
-    /// @throws PeerError if the state is damaged
+    /// @throws channel::PeerError if the state is damaged
     void restore(StateReader& state);
 
     /// Structure's state at the last x returned: where to start its solution.

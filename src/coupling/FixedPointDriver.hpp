@@ -70,7 +70,7 @@ class FixedPointDriver {
 
     /// Goes on from what save() wrote. The accelerator begins anew if it was
     /// another one.
-    /// @throws PeerError if the state is damaged
+    /// @throws channel::PeerError if the state is damaged
     void restore(StateReader& state);
 
     /// Displacement that the fluid has been given last.

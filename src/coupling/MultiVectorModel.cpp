@@ -88,7 +88,7 @@ void MultiVectorModel::restore(StateReader& state) {
     const Eigen::MatrixXd A = state.interfaceMatrix();
     const Eigen::MatrixXd B = state.interfaceMatrix();
     if (A.cols() != B.cols()) {
-        throw PeerError("the factors of a Jacobian do not fit each other");
+        throw channel::PeerError("the factors of a Jacobian do not fit each other");
     }
     old_ = {};
     old_.append(A, B);

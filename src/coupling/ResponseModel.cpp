@@ -47,7 +47,7 @@ void ResponseModel::restore(StateReader& state) {
     const Eigen::MatrixXd A = state.matrix();
     const Eigen::MatrixXd B = state.interfaceMatrix();
     if (A.cols() != B.cols()) {
-        throw PeerError("the factors of a Jacobian do not fit each other");
+        throw channel::PeerError("the factors of a Jacobian do not fit each other");
     }
     J_ = {};
     J_.append(A, B);

@@ -11,7 +11,7 @@
 
 namespace tokay::coupling {
 
-/// Reads what StateWriter wrote. Each call throws PeerError if the bytes that
+/// Reads what StateWriter wrote. Each call throws channel::PeerError if the bytes that
 /// remain are not such a value.
 class StateReader {
   public:
@@ -45,7 +45,7 @@ class StateReader {
         std::vector<double> values;
         read_(values);
         if (values.size() != static_cast<std::size_t>(nRows) * static_cast<std::size_t>(nColumns)) {
-            throw PeerError("a matrix has another number of values than its size says");
+            throw channel::PeerError("a matrix has another number of values than its size says");
         }
         return Eigen::Map<const Eigen::MatrixXd>(values.data(), nRows, nColumns);
     }
@@ -58,7 +58,8 @@ class StateReader {
             return values;
         }
         if (values.rows() != static_cast<Eigen::Index>(sources_.size())) {
-            throw PeerError("a state has another number of interface components than the fluid");
+            throw channel::PeerError(
+                "a state has another number of interface components than the fluid");
         }
         return values(sources_, Eigen::all);
     }
@@ -67,7 +68,7 @@ class StateReader {
     std::size_t remaining() const { return read_.remaining(); }
 
   private:
-    ByteReader read_;
+    channel::ByteReader read_;
     std::vector<int> sources_;
 };
 

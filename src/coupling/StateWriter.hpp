@@ -26,7 +26,7 @@ class StateWriter {
     }
 
   private:
-    ByteWriter write_;
+    channel::ByteWriter write_;
 };
 
 } // namespace tokay::coupling

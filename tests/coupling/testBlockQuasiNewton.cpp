@@ -276,7 +276,7 @@ TEST(BlockQuasiNewton, continuesBitByBitFromASavedState) {
     }
     bytes.pop_back();
     StateReader cut(bytes);
-    EXPECT_THROW(continued.restore(cut), PeerError);
+    EXPECT_THROW(continued.restore(cut), channel::PeerError);
 }
 
 /// A shallow arch of one unknown, R(d) = d + d², which carries no more than -1/4.

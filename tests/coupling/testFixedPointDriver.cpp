@@ -13,6 +13,7 @@
 namespace tokay::coupling {
 namespace {
 
+using channel::errorOf;
 using Eigen::VectorXd;
 using ::testing::AllOf;
 using ::testing::HasSubstr;

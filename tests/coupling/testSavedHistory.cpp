@@ -111,7 +111,7 @@ TEST_P(SavedHistory, thatIsCutOffIsRefused) {
     bytes.pop_back();
     StateReader state(bytes);
     FixedPointDriver driver(options, tolerance, VectorXd::Zero(n));
-    EXPECT_THROW(driver.restore(state), PeerError);
+    EXPECT_THROW(driver.restore(state), channel::PeerError);
 }
 
 INSTANTIATE_TEST_SUITE_P(Accelerations, SavedHistory,

@@ -19,12 +19,12 @@
 
 namespace tokay::structure {
 
-using coupling::BeginStep;
-using coupling::Displacements;
-using coupling::Forces;
-using coupling::Goodbye;
-using coupling::Interface;
-using coupling::State;
+using channel::BeginStep;
+using channel::Displacements;
+using channel::Forces;
+using channel::Goodbye;
+using channel::Interface;
+using channel::State;
 
 namespace {
 
@@ -95,12 +95,12 @@ void Session::start() {
                 "are not used\n";
     }
     report_(text);
-    link_.send(coupling::Accepted{describeModel(case_, *body_) + text});
+    link_.send(channel::Accepted{describeModel(case_, *body_) + text});
 }
 
 // The next step, or none if the fluid says goodbye.
 std::optional<BeginStep> Session::nextStep() {
-    coupling::Message message = timer_.time(Phase::waiting, [&] {
+    channel::Message message = timer_.time(Phase::waiting, [&] {
         return link_.receive(fmt::format("the fluid's next time step, after step {}", step_));
     });
     if (const auto* goodbye = std::get_if<Goodbye>(&message)) {
@@ -111,14 +111,14 @@ std::optional<BeginStep> Session::nextStep() {
     if (const auto* begin = std::get_if<BeginStep>(&message)) {
         return *begin;
     }
-    throw coupling::PeerError("the fluid sent another message where a time step had to begin");
+    throw channel::PeerError("the fluid sent another message where a time step had to begin");
 }
 
 void Session::advance(const BeginStep& begin) {
     step_ = static_cast<int>(begin.step);
     time_ = begin.time;
     if (!(begin.deltaT > 0)) {
-        throw coupling::PeerError(
+        throw channel::PeerError(
             fmt::format("the fluid's time step {} has a length of {} s", step_, begin.deltaT));
     }
     const Eigen::VectorXd predicted = structure_->beginTimeStep(step_, begin.time, begin.deltaT);
@@ -144,10 +144,10 @@ void Session::advance(const BeginStep& begin) {
 
 // The next forces, or none if the fluid rejects the step.
 std::optional<Forces> Session::nextForces() {
-    coupling::Message message = timer_.time(Phase::waiting, [&] {
+    channel::Message message = timer_.time(Phase::waiting, [&] {
         return link_.receive(fmt::format("the fluid's forces, step {}", step_));
     });
-    if (const auto* rejection = std::get_if<coupling::RejectStep>(&message)) {
+    if (const auto* rejection = std::get_if<channel::RejectStep>(&message)) {
         report_(
             fmt::format("step {} time {:.6g} s is rejected: {}", step_, time_, rejection->reason));
         return std::nullopt;
@@ -155,10 +155,10 @@ std::optional<Forces> Session::nextForces() {
     if (auto* forces = std::get_if<Forces>(&message)) {
         return std::move(*forces);
     }
-    throw coupling::PeerError(
+    throw channel::PeerError(
         fmt::format("the fluid sent a message of type {} where its forces had to "
                     "come",
-                    coupling::typeName(message.index())));
+                    channel::typeName(message.index())));
 }
 
 // A step without a solution is no end if the fluid tries it again.
@@ -201,7 +201,7 @@ void requireImplicit(const Case& structureCase) {
 
 } // namespace
 
-void runCoupled(const std::string& caseFile, coupling::Channel channel,
+void runCoupled(const std::string& caseFile, channel::Channel channel,
                 const CoupledRunOptions& options, const Report& report) {
     FluidLink link(std::move(channel), options.silenceInterval, report);
     try {
@@ -213,7 +213,7 @@ void runCoupled(const std::string& caseFile, coupling::Channel channel,
         }
         requireImplicit(structureCase);
         Session(structureCase, link, options, report).run();
-    } catch (const coupling::PeerFailure&) {
+    } catch (const channel::PeerFailure&) {
         throw; // it has ended already
     } catch (const std::exception& error) {
         link.tellFailure(error.what());

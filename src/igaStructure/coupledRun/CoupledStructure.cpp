@@ -20,7 +20,7 @@ Eigen::VectorXd initialDisplacement(const std::optional<StartState>& start,
 } // namespace
 
 CoupledStructure::CoupledStructure(const Case& structureCase, Body& body,
-                                   const WetBoundary& boundary, const coupling::Interface& fluid,
+                                   const WetBoundary& boundary, const channel::Interface& fluid,
                                    PhaseTimer& timer, const Report& report)
     : case_(structureCase), boundary_(boundary), timer_(timer),
       integrator_(body.model(), structureCase.timeScheme, structureCase.newton, fluid.startTime,

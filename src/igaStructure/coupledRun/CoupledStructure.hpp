@@ -14,7 +14,7 @@ class CoupledStructure : public StructureSide {
     /// Goes on from the saved state that fits the fluid's start, if it has to.
     /// @param timer  is kept by reference
     CoupledStructure(const Case& structureCase, Body& body, const WetBoundary& boundary,
-                     const coupling::Interface& fluid, PhaseTimer& timer, const Report& report);
+                     const channel::Interface& fluid, PhaseTimer& timer, const Report& report);
 
     Eigen::VectorXd beginTimeStep(int step, double time, double deltaT) override;
     Answer iterate(const std::vector<double>& forces, double fluidResidual) override;

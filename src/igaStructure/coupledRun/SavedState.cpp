@@ -46,12 +46,12 @@ SavedState decodeState(const std::vector<std::uint8_t>& bytes, const std::string
     try {
         StateReader read(bytes);
         if (read.text() != magic) {
-            throw coupling::PeerError("it does not begin as one");
+            throw channel::PeerError("it does not begin as one");
         }
         if (const int version = read.integer(); version != stateVersion) {
-            throw coupling::PeerError(fmt::format("its version is {}, this program reads version "
-                                                  "{}",
-                                                  version, stateVersion));
+            throw channel::PeerError(fmt::format("its version is {}, this program reads version "
+                                                 "{}",
+                                                 version, stateVersion));
         }
         state.motion.time = read.number();
         state.digest = read.text();
@@ -65,15 +65,15 @@ SavedState decodeState(const std::vector<std::uint8_t>& bytes, const std::string
         }
         const Eigen::MatrixXd interface = read.matrix();
         if (interface.cols() != 3) {
-            throw coupling::PeerError("its interface has no points");
+            throw channel::PeerError("its interface has no points");
         }
         state.interface = interface;
         state.interfaceDisplacement = read.vector();
         state.coupling.resize(static_cast<std::size_t>(read.integer()));
         if (state.coupling.size() != read.remaining()) {
-            throw coupling::PeerError("it is cut off, or something follows its end");
+            throw channel::PeerError("it is cut off, or something follows its end");
         }
-    } catch (const coupling::PeerError& error) {
+    } catch (const channel::PeerError& error) {
         throw InputError(fmt::format("'{}' is not a state of a structure: {}; remove it, and start "
                                      "from another time",
                                      name, error.what()));

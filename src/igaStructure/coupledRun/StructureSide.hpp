@@ -17,7 +17,7 @@ struct Answer {
     double residual = 1;           ///< of the coupling, to be below the fluid's tolerance
     bool converged = false;
     std::string failure = {}; ///< the step has no solution, because of this; empty: it has
-    std::optional<coupling::InterfaceBalance> balance{}; ///< of an accepted step, if wanted
+    std::optional<channel::InterfaceBalance> balance{}; ///< of an accepted step, if wanted
 };
 
 /// The structure as a coupled run sees it.

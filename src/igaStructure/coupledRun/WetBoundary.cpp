@@ -10,8 +10,8 @@
 
 namespace tokay::structure {
 
-using coupling::Interface;
-using coupling::PeerError;
+using channel::Interface;
+using channel::PeerError;
 using geometry::Points;
 
 namespace {

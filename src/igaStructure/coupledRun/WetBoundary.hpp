@@ -15,7 +15,7 @@ namespace tokay::structure {
 class WetBoundary {
   public:
     /// @throws InputError if the two sides do not fit: dimension, gap
-    WetBoundary(const Body& body, const Coupling& coupling, const coupling::Interface& fluid);
+    WetBoundary(const Body& body, const Coupling& coupling, const channel::Interface& fluid);
 
     int nPoints() const { return static_cast<int>(points_.rows()); }
     int nFaces() const { return faces_.count(); }
@@ -36,7 +36,7 @@ class WetBoundary {
     /// Forces on the structure's unknowns; same sum and virtual work.
     /// @param onFaces       face after face [N]; a plane scene: per unit depth [N/m]
     /// @param displacement  of the structure, at which a thin body's sections stand
-    /// @throws  coupling::PeerError that names the face whose force is not finite
+    /// @throws  channel::PeerError that names the face whose force is not finite
     Eigen::VectorXd forces(const std::vector<double>& onFaces,
                            const Eigen::VectorXd& displacement) const;
 

@@ -16,6 +16,6 @@ struct AuditedStep {
 };
 
 /// Force, moment, power and swept volume of the interface on the structure's side.
-coupling::InterfaceBalance interfaceBalance(const WetBoundary& boundary, const AuditedStep& step);
+channel::InterfaceBalance interfaceBalance(const WetBoundary& boundary, const AuditedStep& step);
 
 } // namespace tokay::structure

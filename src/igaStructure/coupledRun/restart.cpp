@@ -8,7 +8,7 @@
 
 namespace tokay::structure {
 
-using coupling::Interface;
+using channel::Interface;
 
 namespace {
 

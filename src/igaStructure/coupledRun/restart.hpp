@@ -27,6 +27,6 @@ StateFolder stateFolder(const Case& structureCase);
 /// @throws InputError if the fluid is deformed and no such state is found
 std::optional<StartState> findStartState(const Case& structureCase, int nUnknowns,
                                          const WetBoundary& boundary,
-                                         const coupling::Interface& fluid);
+                                         const channel::Interface& fluid);
 
 } // namespace tokay::structure

@@ -51,12 +51,12 @@ std::vector<double> list(const VectorXd& values) {
 }
 
 // What the fluid has: forces at the means of the moved points of each face.
-coupling::InterfaceBalance fluidBalance(const WetBoundary& boundary, const AuditedStep& step) {
+channel::InterfaceBalance fluidBalance(const WetBoundary& boundary, const AuditedStep& step) {
     const Points before = boundary.points() + boundary.transfer().displacements(step.before);
     const Points after = boundary.points() + boundary.transfer().displacements(step.after);
     const Points centres = boundary.faces().means(after);
     const Points motion = boundary.faces().means(after - before);
-    coupling::InterfaceBalance balance;
+    channel::InterfaceBalance balance;
     for (int face = 0; face < boundary.nFaces(); ++face) {
         const Vector3d force(step.forces[2 * face], step.forces[2 * face + 1], 0);
         const Vector3d moment = Vector3d(centres.row(face)).cross(force);
@@ -69,16 +69,16 @@ coupling::InterfaceBalance fluidBalance(const WetBoundary& boundary, const Audit
     return balance;
 }
 
-void expectSameForceAndMoment(const coupling::InterfaceBalance& a,
-                              const coupling::InterfaceBalance& b, double scale) {
+void expectSameForceAndMoment(const channel::InterfaceBalance& a,
+                              const channel::InterfaceBalance& b, double scale) {
     for (int c = 0; c < 3; ++c) {
         EXPECT_NEAR(a.force[c], b.force[c], 1e-10 * scale);
         EXPECT_NEAR(a.moment[c], b.moment[c], 1e-10 * scale);
     }
 }
 
-coupling::Interface cube() {
-    coupling::Interface fluid;
+channel::Interface cube() {
+    channel::Interface fluid;
     fluid.dimension = 3;
     for (int i = 0; i < 8; ++i) {
         fluid.points.insert(fluid.points.end(), {i % 2 - 0.5, i / 2 % 2 - 0.5, i / 4 - 0.5});
@@ -89,7 +89,7 @@ coupling::Interface cube() {
 }
 
 Points cubePoints() {
-    const coupling::Interface fluid = cube();
+    const channel::Interface fluid = cube();
     return Eigen::Map<const Eigen::Matrix<double, 8, 3, Eigen::RowMajor>>(fluid.points.data());
 }
 
@@ -142,7 +142,7 @@ TEST(InterfaceBalance, power_is_the_fluids_where_points_move_linearly_with_the_u
 
 TEST(InterfaceBalance, translation_under_a_uniform_pressure_has_the_known_power_and_volume) {
     const auto body = solid();
-    const coupling::Interface fluid = flapInterface(10);
+    const channel::Interface fluid = flapInterface(10);
     const WetBoundary boundary(*body, wetEdges(), fluid);
     // The flap's foot is dry: a pressure p presses down, p x 0.1 m
     const double p = 50;

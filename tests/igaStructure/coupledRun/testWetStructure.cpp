@@ -48,7 +48,7 @@ struct Flap {
     }
 
     TemporaryDirectory directory;
-    coupling::Interface interface = flapInterface(20);
+    channel::Interface interface = flapInterface(20);
     Case structureCase;
     std::unique_ptr<Body> body;
     PhaseTimer timer;

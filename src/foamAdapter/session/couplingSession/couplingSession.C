@@ -150,12 +150,12 @@ void Foam::couplingSession::beginTimeStep()
     exchangeCorrector_ = 0;
     timeIndex_ = runTime.timeIndex();
 
-    tokay::coupling::BeginStep message;
+    tokay::channel::BeginStep message;
     message.step = timeIndex_ - runTime.startTimeIndex();
     message.time = runTime.value();
     message.deltaT = runTime.deltaTValue();
 
-    const tokay::coupling::Displacements answer
+    const tokay::channel::Displacements answer
     (
         structure_.exchange
         (
@@ -233,14 +233,14 @@ void Foam::couplingSession::exchange(const bool final)
         audit_.measure(interface_, forces);
     }
 
-    tokay::coupling::Forces message;
+    tokay::channel::Forces message;
     message.final = final;
     message.write = final && mesh_.time().writeTime();
     message.fluidResidual = current_.fluidResidual;
     message.values = interface_.collect(forces);
     const scalar sent = wallClock();
 
-    const tokay::coupling::Displacements answer
+    const tokay::channel::Displacements answer
     (
         structure_.exchange
         (
@@ -258,7 +258,7 @@ void Foam::couplingSession::exchange(const bool final)
 
         scalarList state(2);
         state[0] = answer.residual;
-        state[1] = answer.state != tokay::coupling::State::iterate;
+        state[1] = answer.state != tokay::channel::State::iterate;
         Pstream::scatter(state);
         current_.residual = state[0];
         current_.converged = state[1] > 0;
@@ -276,7 +276,7 @@ void Foam::couplingSession::exchange(const bool final)
 
 void Foam::couplingSession::audit
 (
-    const tokay::coupling::InterfaceBalance& answer
+    const tokay::channel::InterfaceBalance& answer
 )
 {
     const scalar depth = interface_.depth();
@@ -423,7 +423,7 @@ Foam::couplingSession::couplingSession
     accepted_(false),
     stepStart_(0)
 {
-    tokay::coupling::Interface message;
+    tokay::channel::Interface message;
     message.name = name;
     message.tolerance = residual_.tolerance();
     message.audit = audit_.active();
