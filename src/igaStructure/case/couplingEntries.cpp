@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "coupling/CouplingOptions.hpp"
+#include "coupling/step/CouplingOptions.hpp"
 #include "igaStructure/case/caseEntryTables.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "coupling/CouplingOptions.hpp"
+#include "coupling/step/CouplingOptions.hpp"
 
 #include <string>
 #include <vector>

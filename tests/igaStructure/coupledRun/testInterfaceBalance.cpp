@@ -46,10 +46,6 @@ VectorXd randomVector(Eigen::Index size, double amplitude, unsigned seed) {
     return amplitude * VectorXd::Random(size);
 }
 
-std::vector<double> list(const VectorXd& values) {
-    return {values.data(), values.data() + values.size()};
-}
-
 // What the fluid has: forces at the means of the moved points of each face.
 channel::InterfaceBalance fluidBalance(const WetBoundary& boundary, const AuditedStep& step) {
     const Points before = boundary.points() + boundary.transfer().displacements(step.before);
@@ -121,7 +117,7 @@ TEST(InterfaceBalance, force_and_moment_are_the_fluids_in_any_state) {
         const WetBoundary boundary(*body, wetEdges(), flapInterface(20));
         const int n = body->model().nUnknowns();
         const VectorXd d = randomVector(n, 0.05, 1);
-        const std::vector<double> forces = list(randomVector(2 * boundary.nFaces(), 1, 2));
+        const VectorXd forces = randomVector(2 * boundary.nFaces(), 1, 2);
         const AuditedStep step{forces, VectorXd::Zero(n), d, d, 0.1};
         expectSameForceAndMoment(interfaceBalance(boundary, step), fluidBalance(boundary, step),
                                  boundary.nFaces());
@@ -132,7 +128,7 @@ TEST(InterfaceBalance, power_is_the_fluids_where_points_move_linearly_with_the_u
     for (const auto& body : {beam(Strains::linear), solid()}) {
         const WetBoundary boundary(*body, wetEdges(), flapInterface(20));
         const int n = body->model().nUnknowns();
-        const std::vector<double> forces = list(randomVector(2 * boundary.nFaces(), 1, 3));
+        const VectorXd forces = randomVector(2 * boundary.nFaces(), 1, 3);
         const VectorXd before = randomVector(n, 0.05, 4), after = randomVector(n, 0.05, 5);
         const AuditedStep step{forces, before, before, after, 0.1};
         const double fluid = fluidBalance(boundary, step).power;
@@ -146,11 +142,11 @@ TEST(InterfaceBalance, translation_under_a_uniform_pressure_has_the_known_power_
     const WetBoundary boundary(*body, wetEdges(), fluid);
     // The flap's foot is dry: a pressure p presses down, p x 0.1 m
     const double p = 50;
-    std::vector<double> forces;
-    for (std::size_t face = 0; face + 1 < fluid.faceOffsets.size(); ++face) {
+    VectorXd forces(2 * boundary.nFaces());
+    for (int face = 0; face < boundary.nFaces(); ++face) {
         const std::uint32_t a = fluid.facePoints[2 * face], b = fluid.facePoints[2 * face + 1];
-        forces.push_back(p * (fluid.points[2 * b + 1] - fluid.points[2 * a + 1]));
-        forces.push_back(-p * (fluid.points[2 * b] - fluid.points[2 * a]));
+        forces[2 * face] = p * (fluid.points[2 * b + 1] - fluid.points[2 * a + 1]);
+        forces[2 * face + 1] = -p * (fluid.points[2 * b] - fluid.points[2 * a]);
     }
     const int n = body->model().nUnknowns();
     VectorXd translation(n);

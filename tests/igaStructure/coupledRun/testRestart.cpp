@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/errors.hpp"
 #include "igaStructure/ScriptedFluid.hpp"
-#include "igaStructure/coupledRun/SavedState.hpp"
-#include "igaStructure/coupledRun/StateFolder.hpp"
-#include "igaStructure/coupledRun/interfaceRenumbering.hpp"
+#include "igaStructure/coupledRun/restart/SavedState.hpp"
+#include "igaStructure/coupledRun/restart/StateFolder.hpp"
+#include "igaStructure/coupledRun/restart/interfaceRenumbering.hpp"
 #include "igaStructure/exampleCase.hpp"
 #include "igaStructure/output/pvd.hpp"
 #include "temporaryDirectory.hpp"
@@ -192,7 +192,7 @@ class RestartedRun : public testing::Test {
         std::vector<std::vector<double>> answers = runSteps(script, fluid, 7, 9);
         script.sayGoodbye();
         EXPECT_EQ(script.outcome(), "");
-        EXPECT_THAT(script.log(), HasSubstr("goes on from the saved state of 0.06 s"));
+        EXPECT_THAT(script.log(), HasSubstr("restarting from the saved state at t = 0.06 s"));
         return answers;
     }
 
@@ -284,7 +284,7 @@ TEST_F(RestartedRun, carries_on_without_acceleration_history_on_another_mesh) {
     script.exchange(forcesOf(fluid, 1), true);
     script.sayGoodbye();
     EXPECT_EQ(script.outcome(), "");
-    EXPECT_THAT(script.log(), HasSubstr("predictor and acceleration begin anew"));
+    EXPECT_THAT(script.log(), HasSubstr("predictor and acceleration history are reset"));
 }
 
 TEST_F(RestartedRun, names_the_times_that_have_a_state_if_the_fluids_has_none) {

@@ -87,8 +87,7 @@ TEST(LineTransfer, forces_and_motion_of_face_centres_do_the_same_virtual_work_at
         const VectorXd motion = (boundary.displacements(d + h * variation) -
                                  boundary.displacements(d - h * variation)) /
                                 (2 * h);
-        const VectorXd onUnknowns =
-            boundary.forces({faceForces.data(), faceForces.data() + faceForces.size()}, d);
+        const VectorXd onUnknowns = boundary.forces(faceForces, d);
         const double work = faceForces.dot(motion);
         EXPECT_NEAR(onUnknowns.dot(variation), work, 1e-7 * faceForces.norm() * motion.norm());
     }
@@ -99,7 +98,7 @@ TEST(LineTransfer, couple_of_opposite_forces_on_both_sides_arrives_as_a_moment) 
     const channel::Interface fluid = flapInterface(20);
     const WetBoundary boundary(body, offsetCoupling(), fluid);
     // Down on the left, up on the right: turns the upward axis to the left.
-    std::vector<double> values(2 * boundary.nFaces(), 0);
+    VectorXd values = VectorXd::Zero(2 * boundary.nFaces());
     values[2 * 10 + 1] = -1;
     values[2 * (boundary.nFaces() - 11) + 1] = 1;
     const VectorXd d = VectorXd::Zero(body.model().nUnknowns());
