@@ -27,7 +27,6 @@ struct Problem {
 
 struct Candidate {
     std::string name;
-    Method method;
     Acceleration acceleration;
 };
 
@@ -53,10 +52,10 @@ const std::vector<Problem> problems = {{"tube", tube, 3.3},
                                        ring(RingWall::geometric, 100, {}),
                                        ring(RingWall::geometric, 1000, 5.0)};
 
-const std::vector<Candidate> candidates = {{"aitken", Method::ofOptions, Acceleration::aitken},
-                                           {"iqnIls", Method::ofOptions, Acceleration::iqnIls},
-                                           {"mvqn", Method::ofOptions, Acceleration::mvqn},
-                                           {"block", Method::block, Acceleration::mvqn}};
+const std::vector<Candidate> candidates = {{"aitken", Acceleration::aitken},
+                                           {"iqnIls", Acceleration::iqnIls},
+                                           {"mvqn", Acceleration::mvqn},
+                                           {"block", Acceleration::block}};
 
 struct Setting {
     double tolerance;
@@ -79,7 +78,7 @@ CouplingOptions optionsFor(const Candidate& candidate, const Setting& setting) {
     options.keepFraction = 0;
     options.largestColumns = 100;
     options.fluidMemory = setting.imperfection.memory;
-    if (candidate.method == Method::block && setting.imperfection.noise == 0 &&
+    if (candidate.acceleration == Acceleration::block && setting.imperfection.noise == 0 &&
         setting.imperfection.memory == 0) {
         options.filterLimit = std::min(options.filterLimit, 1e-3);
     }
@@ -90,8 +89,8 @@ CouplingOptions optionsFor(const Candidate& candidate, const Setting& setting) {
 std::string verdict(const Problem& problem, const Candidate& candidate, const Setting& setting,
                     const RunResult& result) {
     const Imperfection& imperfection = setting.imperfection;
-    if (candidate.method != Method::block || !problem.designed || setting.tolerance != 1e-8 ||
-        imperfection.noise > 0 || imperfection.memory > 0) {
+    if (candidate.acceleration != Acceleration::block || !problem.designed ||
+        setting.tolerance != 1e-8 || imperfection.noise > 0 || imperfection.memory > 0) {
         return "";
     }
     const bool good = result.nFailed + result.nFailedAtStart == 0 &&
@@ -124,9 +123,8 @@ int main(int argc, char** argv) {
             std::printf("%-22s", problem.name.c_str());
             for (const Candidate& candidate : candidates) {
                 const auto model = problem.make();
-                const RunResult result =
-                    coupledRun(*model, candidate.method, optionsFor(candidate, setting),
-                               setting.tolerance, setting.imperfection);
+                const RunResult result = coupledRun(*model, optionsFor(candidate, setting),
+                                                    setting.tolerance, setting.imperfection);
                 const std::string judged = verdict(problem, candidate, setting, result);
                 good = good && judged != "MISSED";
                 std::printf(" %s %5.2f (%3d)", candidate.name.c_str(), result.meanEvaluations,

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace tokay::coupling {
+namespace tokay::channel {
 namespace {
 
 const std::string unixPrefix = "unix:";
@@ -73,4 +73,4 @@ Address parseAddress(const std::string& text) {
     throwMalformed(text, "begins neither with \"unix:\" nor with \"tcp://\"");
 }
 
-} // namespace tokay::coupling
+} // namespace tokay::channel

@@ -5,7 +5,7 @@
 #include <string>
 #include <variant>
 
-namespace tokay::coupling {
+namespace tokay::channel {
 
 struct UnixAddress {
     std::string path;
@@ -23,4 +23,4 @@ using Address = std::variant<UnixAddress, TcpAddress>;
 /// @throws InputError that names the text and the forms allowed
 Address parseAddress(const std::string& text);
 
-} // namespace tokay::coupling
+} // namespace tokay::channel

@@ -10,7 +10,7 @@
 #include <tuple>
 #include <vector>
 
-namespace tokay::coupling {
+namespace tokay::channel {
 
 /// Reads what ByteWriter wrote. Each call throws PeerError if the bytes that
 /// remain cannot hold the value, before anything is allocated.
@@ -90,4 +90,4 @@ class ByteReader {
     std::size_t remaining_;
 };
 
-} // namespace tokay::coupling
+} // namespace tokay::channel

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace tokay::coupling {
+namespace tokay::channel {
 
 /// Appends values to a buffer, little-endian whatever the machine; strings
 /// and arrays are preceded by their number of elements (uint32).
@@ -58,4 +58,4 @@ class ByteWriter {
     std::vector<std::uint8_t>& bytes_;
 };
 
-} // namespace tokay::coupling
+} // namespace tokay::channel

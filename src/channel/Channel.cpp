@@ -18,7 +18,7 @@
 
 #include <optional>
 
-namespace tokay::coupling {
+namespace tokay::channel {
 
 struct Channel::Implementation {
     asio::io_context context;
@@ -247,4 +247,4 @@ void Channel::throwUnexpected(const Message& message, const std::string& waiting
                     " while this side waited for " + waitingFor);
 }
 
-} // namespace tokay::coupling
+} // namespace tokay::channel

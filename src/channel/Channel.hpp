@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-namespace tokay::coupling {
+namespace tokay::channel {
 
 /// One connection to the peer, carrying whole messages in both directions.
 ///
@@ -83,4 +83,4 @@ class Channel {
     std::unique_ptr<Implementation> implementation_;
 };
 
-} // namespace tokay::coupling
+} // namespace tokay::channel

@@ -15,7 +15,7 @@
 
 #include <optional>
 
-namespace tokay::coupling {
+namespace tokay::channel {
 
 using Acceptor = asio::basic_socket_acceptor<asio::generic::stream_protocol>;
 
@@ -146,4 +146,4 @@ Channel Listener::accept() {
     return Channel::fromFileDescriptor(socket.release());
 }
 
-} // namespace tokay::coupling
+} // namespace tokay::channel

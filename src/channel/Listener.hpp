@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-namespace tokay::coupling {
+namespace tokay::channel {
 
 /// Waits for a fluid to attach (structure side).
 class Listener {
@@ -35,4 +35,4 @@ class Listener {
     std::unique_ptr<Implementation> implementation_;
 };
 
-} // namespace tokay::coupling
+} // namespace tokay::channel

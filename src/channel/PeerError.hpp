@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-namespace tokay::coupling {
+namespace tokay::channel {
 
 /// The peer is gone, talks nonsense, or reported a failure of its own.
 class PeerError : public std::runtime_error {
@@ -18,4 +18,4 @@ class PeerFailure : public PeerError {
     using PeerError::PeerError;
 };
 
-} // namespace tokay::coupling
+} // namespace tokay::channel

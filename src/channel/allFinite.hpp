@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace tokay::coupling {
+namespace tokay::channel {
 
 /// Index of the first value that is NaN or infinite, if there is one.
 inline std::optional<std::size_t> firstNonFinite(const std::vector<double>& values) {
@@ -22,4 +22,4 @@ inline bool allFinite(const std::vector<double>& values) {
     return !firstNonFinite(values);
 }
 
-} // namespace tokay::coupling
+} // namespace tokay::channel

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <type_traits>
 
-namespace tokay::coupling {
+namespace tokay::channel {
 namespace {
 
 constexpr std::array<std::uint8_t, 4> magic = {'T', 'o', 'k', 'a'};
@@ -172,4 +172,4 @@ Message decodePayload(const FrameHeader& header, const Bytes& payload) {
     }
 }
 
-} // namespace tokay::coupling
+} // namespace tokay::channel

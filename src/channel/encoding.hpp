@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace tokay::coupling {
+namespace tokay::channel {
 
 using Bytes = std::vector<std::uint8_t>;
 
@@ -45,4 +45,4 @@ FrameHeader decodeHeader(const std::array<std::uint8_t, FrameHeader::size>& byte
 /// @throws PeerError if the payload is not exactly one message of this type
 Message decodePayload(const FrameHeader& header, const Bytes& payload);
 
-} // namespace tokay::coupling
+} // namespace tokay::channel

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-namespace tokay::coupling {
+namespace tokay::channel {
 
 /// Terminology
 ///   fluid      the flow solver's side: sends forces, receives displacements
@@ -117,4 +117,4 @@ struct Failure {
 using Message = std::variant<Hello, Interface, Accepted, BeginStep, Forces, Displacements, Goodbye,
                              Failure, RejectStep>;
 
-} // namespace tokay::coupling
+} // namespace tokay::channel

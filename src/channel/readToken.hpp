@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-namespace tokay::coupling {
+namespace tokay::channel {
 
 /// The secret that a file holds for both sides: its first line, without white
 /// space around it.
@@ -24,4 +24,4 @@ inline std::string readToken(const std::string& fileName) {
     return line.substr(first, line.find_last_not_of(whiteSpace) - first + 1);
 }
 
-} // namespace tokay::coupling
+} // namespace tokay::channel

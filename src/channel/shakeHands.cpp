@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "channel/shakeHands.hpp"
 
-namespace tokay::coupling {
+namespace tokay::channel {
 namespace {
 
 std::string nameOf(Role role) {
@@ -59,4 +59,4 @@ Hello shakeHands(Channel& channel, const Hello& own) {
     return peer;
 }
 
-} // namespace tokay::coupling
+} // namespace tokay::channel

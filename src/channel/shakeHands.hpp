@@ -3,7 +3,7 @@
 
 #include "channel/Channel.hpp"
 
-namespace tokay::coupling {
+namespace tokay::channel {
 
 /// Exchanges Hello messages and checks protocol version, role and token. The
 /// fluid speaks first, so that a stranger who attaches to a listening
@@ -12,4 +12,4 @@ namespace tokay::coupling {
 /// @throws  PeerError that names both versions, both roles, or the wrong token
 Hello shakeHands(Channel& channel, const Hello& own);
 
-} // namespace tokay::coupling
+} // namespace tokay::channel

@@ -9,7 +9,7 @@
 #include <functional>
 #include <string>
 
-namespace tokay::coupling {
+namespace tokay::channel {
 
 /// How, and how often, to say that the peer is silent.
 struct SilenceReport {
@@ -46,4 +46,4 @@ void waitReporting(asio::io_context& context, const SilenceReport& silence,
     }
 }
 
-} // namespace tokay::coupling
+} // namespace tokay::channel

@@ -38,8 +38,8 @@ struct RunOptions {
     structure::CoupledRunOptions coupled;
 };
 
-coupling::Channel waitForFluid(const RunOptions& options) {
-    coupling::Listener listener(options.address, options.coupled.token);
+channel::Channel waitForFluid(const RunOptions& options) {
+    channel::Listener listener(options.address, options.coupled.token);
     listener.reportSilence(0.2, [](const std::string&) { structure::throwIfInterrupted(); });
     print("waiting for a fluid at " + listener.address());
     return listener.accept();
@@ -47,7 +47,7 @@ coupling::Channel waitForFluid(const RunOptions& options) {
 
 void run(RunOptions options) {
     if (!options.tokenFile.empty()) {
-        options.coupled.token = coupling::readToken(options.tokenFile);
+        options.coupled.token = channel::readToken(options.tokenFile);
     }
     if (options.fileDescriptor < 0 && options.address.empty()) {
         structure::runAlone(structure::readCase(options.caseFile), print);
@@ -58,9 +58,9 @@ void run(RunOptions options) {
         structure::readCase(options.caseFile); // a mistake is told before a fluid attaches
     }
     // A launching fluid must hear of a mistake in the case file: attach first, then read.
-    coupling::Channel channel = options.fileDescriptor >= 0
-                                    ? coupling::Channel::fromFileDescriptor(options.fileDescriptor)
-                                    : waitForFluid(options);
+    channel::Channel channel = options.fileDescriptor >= 0
+                                   ? channel::Channel::fromFileDescriptor(options.fileDescriptor)
+                                   : waitForFluid(options);
     structure::runCoupled(options.caseFile, std::move(channel), options.coupled, print);
 }
 

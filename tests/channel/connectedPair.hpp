@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace tokay::coupling {
+namespace tokay::channel {
 
 /// The two ends of a new socket pair.
 inline std::pair<int, int> socketPair() {
@@ -35,4 +35,4 @@ std::string errorOf(Action action) {
     return "";
 }
 
-} // namespace tokay::coupling
+} // namespace tokay::channel

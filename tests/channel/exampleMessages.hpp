@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-namespace tokay::coupling {
+namespace tokay::channel {
 
 /// Two triangles in the plane z = 0 that share an edge.
 inline Interface exampleInterface() {
@@ -43,4 +43,4 @@ inline std::vector<Message> exampleMessages() {
             RejectStep{"not converged"}};
 }
 
-} // namespace tokay::coupling
+} // namespace tokay::channel

@@ -17,7 +17,7 @@
 #include <random>
 #include <thread>
 
-namespace tokay::coupling {
+namespace tokay::channel {
 namespace {
 
 using ::testing::AllOf;
@@ -259,4 +259,4 @@ TEST(Finite, findsTheFirstValueThatIsNot) {
 }
 
 } // namespace
-} // namespace tokay::coupling
+} // namespace tokay::channel

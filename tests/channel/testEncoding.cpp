@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <random>
 
-namespace tokay::coupling {
+namespace tokay::channel {
 namespace {
 
 Message decodeFrame(const Bytes& frame) {
@@ -231,4 +231,4 @@ TEST(Encoding, interfaceWithArraysThatDoNotFitIsRefused) {
 }
 
 } // namespace
-} // namespace tokay::coupling
+} // namespace tokay::channel

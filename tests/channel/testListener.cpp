@@ -14,7 +14,7 @@
 #include <fstream>
 #include <thread>
 
-namespace tokay::coupling {
+namespace tokay::channel {
 namespace {
 
 using ::testing::HasSubstr;
@@ -136,4 +136,4 @@ TEST(Address, malformedOnesAreRefusedNamingTheFormsAllowed) {
 }
 
 } // namespace
-} // namespace tokay::coupling
+} // namespace tokay::channel

@@ -7,7 +7,7 @@
 
 #include <future>
 
-namespace tokay::coupling {
+namespace tokay::channel {
 namespace {
 
 using ::testing::AllOf;
@@ -89,4 +89,4 @@ TEST(ShakeHands, anotherMessageThanAGreetingIsRefused) {
 }
 
 } // namespace
-} // namespace tokay::coupling
+} // namespace tokay::channel

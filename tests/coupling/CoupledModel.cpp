@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CoupledModel.hpp"
 
-#include "coupling/BlockSystem.hpp"
+#include "coupling/block/BlockSystem.hpp"
 
 namespace tokay::coupling {
 

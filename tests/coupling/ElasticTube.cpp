@@ -85,7 +85,7 @@ ElasticTube::Vector<Scalar> ElasticTube::imbalance(const Vector<Scalar>& flow,
 
 /// Newton's method, the Jacobian by complex steps (exact to rounding errors).
 template <class AreaOfFlow>
-void ElasticTube::solve(const AreaOfFlow& areaOfFlow) {
+void ElasticTube::solveFlow(const AreaOfFlow& areaOfFlow) {
     using Complex = std::complex<double>;
     constexpr double step = 1e-30;
     for (int i = 0; i < 30; ++i) {
@@ -116,7 +116,7 @@ Eigen::VectorXd ElasticTube::fluid(const Eigen::VectorXd& x) {
         throw SolverError("the tube is closed or has burst");
     }
     flow_ = oldFlow_; // whatever an earlier call may have ended in
-    solve([&area](const auto& flow) {
+    solveFlow([&area](const auto& flow) {
         return area.cast<typename std::decay_t<decltype(flow)>::Scalar>().eval();
     });
     return flow_.tail(nCells_).matrix();
@@ -126,11 +126,11 @@ Eigen::VectorXd ElasticTube::residual(const Eigen::VectorXd& x) {
     return (2 * squaredWaveSpeed_ * (1 - (1 + x.array()).rsqrt())).matrix();
 }
 
-void ElasticTube::factor(const Eigen::VectorXd& x) {
+void ElasticTube::linearise(const Eigen::VectorXd& x) {
     tangent_ = squaredWaveSpeed_ * (1 + x.array()).pow(-1.5);
 }
 
-Eigen::MatrixXd ElasticTube::solve(const Eigen::MatrixXd& b) {
+Eigen::MatrixXd ElasticTube::responses(const Eigen::MatrixXd& b) {
     return tangent_.inverse().matrix().asDiagonal() * b;
 }
 
@@ -141,7 +141,7 @@ Eigen::VectorXd ElasticTube::structure(const Eigen::VectorXd& pressure,
 
 Eigen::VectorXd ElasticTube::monolithic(const Eigen::VectorXd& start) {
     flow_ = oldFlow_;
-    solve([this](const auto& flow) {
+    solveFlow([this](const auto& flow) {
         using Scalar = typename std::decay_t<decltype(flow)>::Scalar;
         return areaOf<Scalar>(flow.tail(nCells_));
     });

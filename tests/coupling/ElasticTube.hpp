@@ -39,8 +39,8 @@ class ElasticTube : public CoupledModel {
 
     /// The pressure that belongs to these cross-sections.
     Eigen::VectorXd residual(const Eigen::VectorXd& x) override;
-    void factor(const Eigen::VectorXd& x) override;
-    Eigen::MatrixXd solve(const Eigen::MatrixXd& b) override;
+    void linearise(const Eigen::VectorXd& x) override;
+    Eigen::MatrixXd responses(const Eigen::MatrixXd& b) override;
 
   private:
     template <class Scalar>
@@ -51,7 +51,7 @@ class ElasticTube : public CoupledModel {
     template <class Scalar>
     Vector<Scalar> areaOf(const Vector<Scalar>& pressure) const;
     template <class AreaOfFlow>
-    void solve(const AreaOfFlow& areaOfFlow);
+    void solveFlow(const AreaOfFlow& areaOfFlow);
 
     int nCells_;
     double squaredWaveSpeed_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "coupling/Accelerator.hpp"
+#include "coupling/fixedPoint/Accelerator.hpp"
 
 #include <Eigen/Dense>
 

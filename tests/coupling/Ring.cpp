@@ -2,7 +2,7 @@
 #include "Ring.hpp"
 
 #include "common/errors.hpp"
-#include "coupling/BlockSystem.hpp"
+#include "coupling/block/BlockSystem.hpp"
 
 #include <cmath>
 
@@ -121,7 +121,7 @@ VectorXd Ring::residual(const VectorXd& d) {
     return result;
 }
 
-void Ring::factor(const VectorXd& d) {
+void Ring::linearise(const VectorXd& d) {
     MatrixXd K = stiffness_;
     K.diagonal().array() += 1 / (beta * deltaT_ * deltaT_) + damping_ * gamma / (beta * deltaT_);
     if (wall_ == RingWall::cubic) {

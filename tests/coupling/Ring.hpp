@@ -32,8 +32,8 @@ class Ring : public CoupledModel {
     void acceptTimeStep(const Eigen::VectorXd& x) override;
 
     Eigen::VectorXd residual(const Eigen::VectorXd& d) override;
-    void factor(const Eigen::VectorXd& d) override;
-    Eigen::MatrixXd solve(const Eigen::MatrixXd& b) override { return factors_.solve(b); }
+    void linearise(const Eigen::VectorXd& d) override;
+    Eigen::MatrixXd responses(const Eigen::MatrixXd& b) override { return factors_.solve(b); }
 
   private:
     Eigen::VectorXd drivingLoad() const;

@@ -2,8 +2,7 @@
 #include "coupledRun.hpp"
 
 #include "common/errors.hpp"
-#include "coupling/BlockQuasiNewton.hpp"
-#include "coupling/FixedPointDriver.hpp"
+#include "coupling/couplingMethods.hpp"
 
 #include <algorithm>
 
@@ -43,50 +42,21 @@ class ImperfectFluid {
     VectorXd last_;
 };
 
-/// Both kinds of driver, as one that is fed by forces.
-class AnyDriver {
-  public:
-    AnyDriver(CoupledModel& model, Method method, const CouplingOptions& options, double tolerance)
-        : model_(model) {
-        const VectorXd rest = VectorXd::Zero(model.nUnknowns());
-        if (method == Method::block) {
-            block_ = std::make_unique<BlockQuasiNewton>(options, tolerance, model, rest);
-        } else {
-            fixedPoint_ = std::make_unique<FixedPointDriver>(options, tolerance, rest);
-        }
-    }
-
-    VectorXd beginTimeStep(double deltaT) {
-        return block_ ? block_->beginTimeStep(deltaT) : fixedPoint_->beginTimeStep(deltaT);
-    }
-    Iteration iterate(const VectorXd& x, const VectorXd& forces, double fluidResidual) {
-        return block_ ? block_->iterate(forces, fluidResidual)
-                      : fixedPoint_->iterate(model_.structure(forces, x), fluidResidual);
-    }
-    void acceptTimeStep(const VectorXd& x) {
-        block_ ? block_->acceptTimeStep(x) : fixedPoint_->acceptTimeStep(x);
-    }
-    void rejectTimeStep() { block_ ? block_->rejectTimeStep() : fixedPoint_->rejectTimeStep(); }
-
-  private:
-    CoupledModel& model_;
-    std::unique_ptr<BlockQuasiNewton> block_;
-    std::unique_ptr<FixedPointDriver> fixedPoint_;
-};
-
 struct Step {
     VectorXd x;
     int nEvaluations = 0;
     bool converged = false;
 };
 
-Step runStep(ImperfectFluid& fluid, AnyDriver& driver, VectorXd x, double noise) {
+Step runStep(ImperfectFluid& fluid, CoupledModel& model, CouplingMethod& method, VectorXd x,
+             double noise) {
     Step step;
     try {
         while (step.nEvaluations < largestEvaluations && !step.converged) {
             const VectorXd forces = fluid(x);
             ++step.nEvaluations;
-            const Iteration iteration = driver.iterate(x, forces, noise);
+            model.startFrom(x);
+            const CouplingIteration iteration = method.iterate(forces, noise);
             step.x = x;
             step.converged = iteration.converged;
             x = iteration.x;
@@ -102,27 +72,27 @@ Step runStep(ImperfectFluid& fluid, AnyDriver& driver, VectorXd x, double noise)
 
 } // namespace
 
-RunResult coupledRun(CoupledModel& model, Method method, const CouplingOptions& options,
-                     double tolerance, const Imperfection& imperfection) {
-    AnyDriver driver(model, method, options, tolerance);
+RunResult coupledRun(CoupledModel& model, const CouplingOptions& options, double tolerance,
+                     const Imperfection& imperfection) {
+    const auto method = makeCouplingMethod(options, tolerance, model);
     ImperfectFluid fluid(model, imperfection);
     RunResult result;
     for (int i = 0; i < nSteps; ++i) {
         model.beginTimeStep();
-        VectorXd start = driver.beginTimeStep(model.deltaT());
+        const VectorXd start = method->predict(model.deltaT());
         const VectorXd exact = model.monolithic(start);
-        Step step = runStep(fluid, driver, start, imperfection.noise);
+        Step step = runStep(fluid, model, *method, start, imperfection.noise);
         if (i == 0) {
             result.evaluationsOfFirstStep = step.nEvaluations;
         }
         if (!step.converged) {
-            driver.rejectTimeStep();
-            driver.beginTimeStep(model.deltaT());
+            method->reject();
+            method->predict(model.deltaT());
             step.x = exact;
             ++(i < nStepsLeftOut ? result.nFailedAtStart : result.nFailed);
         }
-        model.fluid(step.x);
-        driver.acceptTimeStep(step.x);
+        model.startFrom(step.x);
+        method->accept(model.fluid(step.x));
         model.acceptTimeStep(step.x);
         if (i >= nStepsLeftOut) {
             result.meanEvaluations += step.nEvaluations / double(nSteps - nStepsLeftOut);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "CoupledModel.hpp"
-#include "coupling/CouplingOptions.hpp"
+#include "coupling/step/CouplingOptions.hpp"
 
 #include <random>
 
@@ -24,14 +24,10 @@ struct RunResult {
     int evaluationsOfFirstStep = 0;
 };
 
-/// The method that a run uses: an accelerator of the options, or the block
-/// method.
-enum class Method { ofOptions, block };
-
 /// Runs 120 steps, of which the first 20 do not count. A step that has not
 /// converged after 50 evaluations of the fluid goes on with the monolithic
 /// solution.
-RunResult coupledRun(CoupledModel& model, Method method, const CouplingOptions& options,
-                     double tolerance, const Imperfection& imperfection = {});
+RunResult coupledRun(CoupledModel& model, const CouplingOptions& options, double tolerance,
+                     const Imperfection& imperfection = {});
 
 } // namespace tokay::coupling

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "coupling/FilteredQr.hpp"
+#include "coupling/history/FilteredQr.hpp"
 
 #include <Eigen/QR>
 #include <gtest/gtest.h>

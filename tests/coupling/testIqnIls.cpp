@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "LinearResponse.hpp"
-#include "coupling/ConstantRelaxation.hpp"
-#include "coupling/IqnIls.hpp"
+#include "coupling/fixedPoint/ConstantRelaxation.hpp"
+#include "coupling/fixedPoint/IqnIls.hpp"
 
 #include <gtest/gtest.h>
 
@@ -44,9 +44,11 @@ TEST(IqnIls, needsAllOfThem) {
 
 TEST(IqnIls, convergesWithItsDefaultGuardsWhereRelaxationDiverges) {
     const LinearResponse response = addedMass(strongAddedMass());
-    ConstantRelaxation relaxation(0.1);
+    CouplingOptions options;
+    options.relaxation = 0.1;
+    ConstantRelaxation relaxation(options);
     EXPECT_GT(response.error(iterated(relaxation, response, 20)), 1e10);
-    IqnIls method{CouplingOptions()};
+    IqnIls method(options);
     EXPECT_LT(response.error(iterated(method, response, 20)), 1e-8);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "coupling/LowRankMatrix.hpp"
+#include "coupling/history/LowRankMatrix.hpp"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "LinearResponse.hpp"
-#include "coupling/MultiVectorModel.hpp"
-#include "coupling/Mvqn.hpp"
+#include "coupling/fixedPoint/MultiVectorModel.hpp"
+#include "coupling/fixedPoint/Mvqn.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "coupling/Predictor.hpp"
+#include "coupling/step/Predictor.hpp"
 
 #include <gtest/gtest.h>
 

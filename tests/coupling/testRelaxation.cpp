@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "LinearResponse.hpp"
-#include "coupling/Aitken.hpp"
-#include "coupling/ConstantRelaxation.hpp"
-#include "coupling/CouplingOptions.hpp"
+#include "coupling/fixedPoint/Aitken.hpp"
+#include "coupling/fixedPoint/ConstantRelaxation.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,10 +16,16 @@ LinearResponse scalarResponse(double slope) {
     return {Eigen::MatrixXd::Constant(1, 1, slope), VectorXd::Constant(1, 1)};
 }
 
+CouplingOptions constant(double relaxation) {
+    CouplingOptions options;
+    options.relaxation = relaxation;
+    return options;
+}
+
 TEST(ConstantRelaxation, convergesAtTheRateOfTheory) {
     // The error is multiplied by 1 - relaxation (1 - slope) each time.
     const LinearResponse response = scalarResponse(-3);
-    ConstantRelaxation relaxation(0.2);
+    ConstantRelaxation relaxation(constant(0.2));
     const double rate = std::abs(1 - 0.2 * (1 + 3));
     EXPECT_NEAR(response.error(iterated(relaxation, response, 10)), std::pow(rate, 10),
                 1e-13); // rounding errors of values of size one
@@ -28,7 +33,7 @@ TEST(ConstantRelaxation, convergesAtTheRateOfTheory) {
 
 TEST(ConstantRelaxation, divergesWhereTheAddedMassIsTooLarge) {
     const LinearResponse response = scalarResponse(-3);
-    ConstantRelaxation relaxation(0.6); // |1 - 0.6 * 4| > 1
+    ConstantRelaxation relaxation(constant(0.6)); // |1 - 0.6 * 4| > 1
     EXPECT_GT(response.error(iterated(relaxation, response, 20)), 100);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "coupling/ResponseModel.hpp"
+#include "coupling/block/ResponseModel.hpp"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ TEST(ResponseModel, isExactAfterAsManyIndependentDifferencesAsThereAreDirections
     const MatrixXd J = MatrixXd::Random(4, n);
     ResponseModel model(withoutLeastNoise());
     model.beginTimeStep();
-    EXPECT_TRUE(model.isIgnorant());
+    EXPECT_TRUE(model.isEmpty());
     for (int k = 0; k < n; ++k) {
         const VectorXd v = VectorXd::Random(n);
         model.learn(v, J * v, 0);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "GivenSolution.hpp"
 #include "LinearResponse.hpp"
-#include "coupling/FixedPointDriver.hpp"
-#include "coupling/StateReader.hpp"
-#include "coupling/StateWriter.hpp"
+#include "coupling/step/StateReader.hpp"
+#include "coupling/step/StateWriter.hpp"
 
 #include <gtest/gtest.h>
 
@@ -34,30 +34,30 @@ std::vector<int> inOrder() {
 }
 
 /// @return  x of each exchange of the steps from `first` to `last`
-std::vector<VectorXd> runSteps(FixedPointDriver& driver, int first, int last,
+std::vector<VectorXd> runSteps(CouplingMethod& method, int first, int last,
                                const std::vector<int>& numbers) {
     std::vector<VectorXd> xs;
     for (int step = first; step <= last; ++step) {
         const LinearResponse structure = response(step, numbers);
-        xs.push_back(driver.beginTimeStep(step % 2 == 0 ? deltaT : 0.5 * deltaT));
+        xs.push_back(method.predict(step % 2 == 0 ? deltaT : 0.5 * deltaT));
         for (int exchange = 0; exchange < 100; ++exchange) {
-            const Iteration iteration = driver.iterate(structure(xs.back()), 0);
+            const CouplingIteration iteration = method.iterate(structure(xs.back()), 0);
             if (iteration.converged) {
                 break;
             }
             xs.push_back(iteration.x);
         }
-        driver.acceptTimeStep(structure(xs.back()));
+        method.accept(structure(xs.back()));
     }
     return xs;
 }
 
 std::vector<std::uint8_t> savedAfter(int nSteps, const CouplingOptions& options) {
-    FixedPointDriver driver(options, tolerance, VectorXd::Zero(n));
-    runSteps(driver, 1, nSteps, inOrder());
+    GivenSolution driver(options, tolerance, VectorXd::Zero(n));
+    runSteps(*driver, 1, nSteps, inOrder());
     std::vector<std::uint8_t> bytes;
     StateWriter state(bytes);
-    driver.save(state);
+    driver->save(state);
     return bytes;
 }
 
@@ -75,30 +75,30 @@ class SavedHistory : public testing::TestWithParam<Acceleration> {
 };
 
 TEST_P(SavedHistory, continuesBitByBit) {
-    FixedPointDriver whole(options, tolerance, VectorXd::Zero(n));
-    runSteps(whole, 1, 5, inOrder());
-    const std::vector<VectorXd> expected = runSteps(whole, 6, 10, inOrder());
+    GivenSolution whole(options, tolerance, VectorXd::Zero(n));
+    runSteps(*whole, 1, 5, inOrder());
+    const std::vector<VectorXd> expected = runSteps(*whole, 6, 10, inOrder());
 
     const std::vector<std::uint8_t> bytes = savedAfter(5, options);
     StateReader state(bytes);
-    FixedPointDriver continued(options, tolerance, VectorXd::Zero(n));
-    continued.restore(state);
+    GivenSolution continued(options, tolerance, VectorXd::Zero(n));
+    continued->restore(state);
     EXPECT_EQ(state.remaining(), 0u);
-    EXPECT_EQ(runSteps(continued, 6, 10, inOrder()), expected);
+    EXPECT_EQ(runSteps(*continued, 6, 10, inOrder()), expected);
 }
 
 TEST_P(SavedHistory, continuesOnAnInterfaceThatIsNumberedAnew) {
     const std::vector<int> numbers = {3, 5, 0, 1, 4, 2};
-    FixedPointDriver whole(options, tolerance, VectorXd::Zero(n));
-    runSteps(whole, 1, 5, inOrder());
-    const std::vector<VectorXd> expected = runSteps(whole, 6, 8, inOrder());
+    GivenSolution whole(options, tolerance, VectorXd::Zero(n));
+    runSteps(*whole, 1, 5, inOrder());
+    const std::vector<VectorXd> expected = runSteps(*whole, 6, 8, inOrder());
 
     const std::vector<std::uint8_t> bytes = savedAfter(5, options);
     StateReader state(bytes);
     state.renumberInterface(numbers);
-    FixedPointDriver continued(options, tolerance, VectorXd::Zero(n));
-    continued.restore(state);
-    const std::vector<VectorXd> actual = runSteps(continued, 6, 8, numbers);
+    GivenSolution continued(options, tolerance, VectorXd::Zero(n));
+    continued->restore(state);
+    const std::vector<VectorXd> actual = runSteps(*continued, 6, 8, numbers);
     ASSERT_EQ(actual.size(), expected.size());
     for (std::size_t k = 0; k < actual.size(); ++k) {
         // Sums in another order; differences of size 1e-6 are divided by each other
@@ -110,8 +110,8 @@ TEST_P(SavedHistory, thatIsCutOffIsRefused) {
     std::vector<std::uint8_t> bytes = savedAfter(5, options);
     bytes.pop_back();
     StateReader state(bytes);
-    FixedPointDriver driver(options, tolerance, VectorXd::Zero(n));
-    EXPECT_THROW(driver.restore(state), PeerError);
+    GivenSolution driver(options, tolerance, VectorXd::Zero(n));
+    EXPECT_THROW(driver->restore(state), channel::PeerError);
 }
 
 INSTANTIATE_TEST_SUITE_P(Accelerations, SavedHistory,
@@ -122,23 +122,24 @@ TEST(SavedHistory, isWorthItsExchanges) {
     const CouplingOptions options = optionsOf(Acceleration::iqnIls, Extrapolation::quadratic);
     const std::vector<std::uint8_t> bytes = savedAfter(5, options);
     StateReader state(bytes);
-    FixedPointDriver continued(options, tolerance, VectorXd::Zero(n));
-    continued.restore(state);
-    FixedPointDriver anew(options, tolerance, VectorXd::Zero(n));
-    EXPECT_LT(runSteps(continued, 6, 6, inOrder()).size(), runSteps(anew, 6, 6, inOrder()).size());
+    GivenSolution continued(options, tolerance, VectorXd::Zero(n));
+    continued->restore(state);
+    GivenSolution anew(options, tolerance, VectorXd::Zero(n));
+    EXPECT_LT(runSteps(*continued, 6, 6, inOrder()).size(),
+              runSteps(*anew, 6, 6, inOrder()).size());
 }
 
 TEST(SavedHistory, ofAnotherAccelerationLeavesThePredictor) {
     const std::vector<std::uint8_t> bytes =
         savedAfter(5, optionsOf(Acceleration::iqnIls, Extrapolation::linear));
     StateReader state(bytes);
-    FixedPointDriver whole(optionsOf(Acceleration::iqnIls, Extrapolation::linear), tolerance,
-                           VectorXd::Zero(n));
-    runSteps(whole, 1, 5, inOrder());
-    FixedPointDriver other(optionsOf(Acceleration::mvqn, Extrapolation::linear), tolerance,
-                           VectorXd::Zero(n));
-    other.restore(state);
-    EXPECT_EQ(other.beginTimeStep(deltaT), whole.beginTimeStep(deltaT));
+    GivenSolution whole(optionsOf(Acceleration::iqnIls, Extrapolation::linear), tolerance,
+                        VectorXd::Zero(n));
+    runSteps(*whole, 1, 5, inOrder());
+    GivenSolution other(optionsOf(Acceleration::mvqn, Extrapolation::linear), tolerance,
+                        VectorXd::Zero(n));
+    other->restore(state);
+    EXPECT_EQ(other->predict(deltaT), whole->predict(deltaT));
 }
 
 } // namespace

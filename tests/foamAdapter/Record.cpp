@@ -3,7 +3,7 @@
 
 #include <limits>
 
-namespace tokay::coupling {
+namespace tokay::channel {
 
 Record::Record(const std::string& fileName) {
     if (!fileName.empty()) {
@@ -51,4 +51,4 @@ void Record::add(const RejectStep& rejection) {
     file_ << "rejected " << time_ << ' ' << rejection.reason << std::endl;
 }
 
-} // namespace tokay::coupling
+} // namespace tokay::channel

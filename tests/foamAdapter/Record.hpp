@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-namespace tokay::coupling {
+namespace tokay::channel {
 
 /// Text file of all that passes between fluid and structure, one line each:
 ///   dimension N | points ... | faceOffsets ... | facePoints ... |
@@ -34,4 +34,4 @@ class Record {
     double time_ = 0;
 };
 
-} // namespace tokay::coupling
+} // namespace tokay::channel

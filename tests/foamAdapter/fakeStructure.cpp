@@ -25,7 +25,7 @@
 
 namespace {
 
-using namespace tokay::coupling;
+using namespace tokay::channel;
 
 struct Options {
     std::string behaviour = "rigid";

@@ -19,8 +19,8 @@ namespace tokay::structure {
 
 /// The fluid's interface around the example's flap: up the left edge, over the
 /// top, down the right edge; a face between two points.
-inline coupling::Interface flapInterface(int facesAlongHeight) {
-    coupling::Interface fluid;
+inline channel::Interface flapInterface(int facesAlongHeight) {
+    channel::Interface fluid;
     fluid.dimension = 2;
     fluid.name = "structure";
     const auto addPoint = [&](double x, double y) {
@@ -45,7 +45,7 @@ inline coupling::Interface flapInterface(int facesAlongHeight) {
 }
 
 /// Force along x on the faces of the left edge, its sum given [N/m].
-inline std::vector<double> forceOnLeft(const coupling::Interface& fluid, double sum) {
+inline std::vector<double> forceOnLeft(const channel::Interface& fluid, double sum) {
     const std::size_t nFaces = fluid.faceOffsets.size() - 1;
     const std::size_t nLeft = (nFaces - 1) / 2;
     std::vector<double> values(2 * nFaces, 0);
@@ -61,10 +61,10 @@ class ScriptedFluid {
   public:
     explicit ScriptedFluid(const std::string& caseFile, const CoupledRunOptions& options = {})
         : channel_(connectToNewStructure(caseFile, options)) {
-        coupling::Hello hello;
-        hello.role = coupling::Role::fluid;
+        channel::Hello hello;
+        hello.role = channel::Role::fluid;
         hello.program = "scripted fluid";
-        coupling::shakeHands(*channel_, hello);
+        channel::shakeHands(*channel_, hello);
     }
     ~ScriptedFluid() {
         channel_.reset();
@@ -73,22 +73,22 @@ class ScriptedFluid {
         }
     }
 
-    coupling::Channel& channel() { return *channel_; }
+    channel::Channel& channel() { return *channel_; }
 
-    std::string start(const coupling::Interface& fluid) {
+    std::string start(const channel::Interface& fluid) {
         channel_->send(fluid);
-        return channel_->receive<coupling::Accepted>("accepted").report;
+        return channel_->receive<channel::Accepted>("accepted").report;
     }
 
-    coupling::Displacements begin(std::uint32_t step, double time, double deltaT) {
-        channel_->send(coupling::BeginStep{step, time, deltaT});
-        return channel_->receive<coupling::Displacements>("displacements");
+    channel::Displacements begin(std::uint32_t step, double time, double deltaT) {
+        channel_->send(channel::BeginStep{step, time, deltaT});
+        return channel_->receive<channel::Displacements>("displacements");
     }
 
-    coupling::Displacements exchange(const std::vector<double>& values, bool final = false,
-                                     bool write = false) {
-        channel_->send(coupling::Forces{final, write, 0, values});
-        return channel_->receive<coupling::Displacements>("displacements");
+    channel::Displacements exchange(const std::vector<double>& values, bool final = false,
+                                    bool write = false) {
+        channel_->send(channel::Forces{final, write, 0, values});
+        return channel_->receive<channel::Displacements>("displacements");
     }
 
     /// A step with the same forces in every exchange.
@@ -97,7 +97,7 @@ class ScriptedFluid {
                 bool write = false) {
         begin(step, step * deltaT, deltaT);
         int nExchanges = 1;
-        while (exchange(values).state != coupling::State::converged) {
+        while (exchange(values).state != channel::State::converged) {
             if (++nExchanges > 50) {
                 throw std::runtime_error("the structure does not converge");
             }
@@ -106,7 +106,7 @@ class ScriptedFluid {
         return nExchanges;
     }
 
-    void sayGoodbye() { channel_->send(coupling::Goodbye{"end of the script"}); }
+    void sayGoodbye() { channel_->send(channel::Goodbye{"end of the script"}); }
 
     /// Vanishes without a word.
     void vanish() { channel_.reset(); }
@@ -127,22 +127,22 @@ class ScriptedFluid {
     std::string failureText() {
         try {
             channel_->receive("a failure");
-        } catch (const coupling::PeerFailure& failure) {
+        } catch (const channel::PeerFailure& failure) {
             return failure.what();
         }
         return "no failure";
     }
 
   private:
-    coupling::Channel connectToNewStructure(const std::string& caseFile,
-                                            const CoupledRunOptions& options) {
+    channel::Channel connectToNewStructure(const std::string& caseFile,
+                                           const CoupledRunOptions& options) {
         int ends[2];
         if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends) != 0) {
             throw std::runtime_error("no socket pair");
         }
         thread_ = std::thread([this, caseFile, options, end = ends[1]] {
             try {
-                runCoupled(caseFile, coupling::Channel::fromFileDescriptor(end), options,
+                runCoupled(caseFile, channel::Channel::fromFileDescriptor(end), options,
                            [this](const std::string& text) {
                                const std::lock_guard<std::mutex> lock(mutex_);
                                log_ += text + "\n";
@@ -151,14 +151,14 @@ class ScriptedFluid {
                 outcome_ = error.what();
             }
         });
-        return coupling::Channel::fromFileDescriptor(ends[0]);
+        return channel::Channel::fromFileDescriptor(ends[0]);
     }
 
     std::thread thread_;
     std::mutex mutex_;
     std::string log_;
     std::string outcome_;
-    std::optional<coupling::Channel> channel_;
+    std::optional<channel::Channel> channel_;
 };
 
 } // namespace tokay::structure

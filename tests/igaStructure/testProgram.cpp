@@ -18,9 +18,9 @@ namespace {
 const std::string longRun = exampleText("end: 0.1", "end: 1e6");
 const std::string coupledCase = exampleText() + "coupling: {interface: [left, top, right]}\n";
 
-coupling::Hello fluidHello(const std::string& token = "") {
-    coupling::Hello hello;
-    hello.role = coupling::Role::fluid;
+channel::Hello fluidHello(const std::string& token = "") {
+    channel::Hello hello;
+    hello.role = channel::Role::fluid;
     hello.program = "scripted fluid";
     hello.token = token;
     return hello;
@@ -38,27 +38,27 @@ class CoupledProgram : public testing::Test {
                                                  "--channel-fd", "3"},
                         ends[1]);
         close(ends[1]);
-        channel.emplace(coupling::Channel::fromFileDescriptor(ends[0]));
-        coupling::shakeHands(*channel, fluidHello());
+        channel.emplace(channel::Channel::fromFileDescriptor(ends[0]));
+        channel::shakeHands(*channel, fluidHello());
         channel->send(fluid);
-        channel->receive<coupling::Accepted>("accepted");
-        channel->send(coupling::BeginStep{1, 0.01, 0.01});
-        channel->receive<coupling::Displacements>("displacements");
+        channel->receive<channel::Accepted>("accepted");
+        channel->send(channel::BeginStep{1, 0.01, 0.01});
+        channel->receive<channel::Displacements>("displacements");
     }
 
     std::string failureText() {
         try {
             channel->receive("a failure");
-        } catch (const coupling::PeerError& failure) {
+        } catch (const channel::PeerError& failure) {
             return failure.what();
         }
         return "no failure";
     }
 
     TemporaryDirectory directory;
-    coupling::Interface fluid = flapInterface(20);
+    channel::Interface fluid = flapInterface(20);
     std::optional<ChildProgram> program;
-    std::optional<coupling::Channel> channel;
+    std::optional<channel::Channel> channel;
 };
 
 } // namespace
@@ -147,17 +147,17 @@ TEST_F(CoupledProgram, killed_program_ends_the_fluids_wait) {
 }
 
 TEST_F(CoupledProgram, goodbye_ends_it_in_good_order) {
-    channel->send(coupling::Forces{true, false, 0, forceOnLeft(fluid, 100)});
-    EXPECT_EQ(channel->receive<coupling::Displacements>("displacements").state,
-              coupling::State::accepted);
-    channel->send(coupling::Goodbye{"end time reached"});
+    channel->send(channel::Forces{true, false, 0, forceOnLeft(fluid, 100)});
+    EXPECT_EQ(channel->receive<channel::Displacements>("displacements").state,
+              channel::State::accepted);
+    channel->send(channel::Goodbye{"end time reached"});
     EXPECT_EQ(program->wait(), 0);
     EXPECT_THAT(program->output(), HasSubstr("the fluid ends the run: end time reached"));
 }
 
 TEST_F(CoupledProgram, results_that_cannot_be_written_end_both_sides) {
     directory.write("results", "a file where the directory should be");
-    channel->send(coupling::Forces{true, true, 0, forceOnLeft(fluid, 100)});
+    channel->send(channel::Forces{true, true, 0, forceOnLeft(fluid, 100)});
     EXPECT_THAT(failureText(), AllOf(HasSubstr("cannot write"), HasSubstr("results")));
     EXPECT_EQ(program->wait(), 1);
     EXPECT_THAT(program->output(), HasSubstr("cannot write"));
@@ -168,11 +168,11 @@ TEST(Program, listens_on_a_unix_socket_for_a_fluid) {
     const std::string address = "unix:" + directory.file("socket");
     ChildProgram program({"run", directory.write("case.yaml", coupledCase), "--listen", address});
     ASSERT_TRUE(program.waitForOutput("waiting for a fluid at " + address));
-    coupling::Channel channel = coupling::Channel::connect(address);
-    coupling::shakeHands(channel, fluidHello());
+    channel::Channel channel = channel::Channel::connect(address);
+    channel::shakeHands(channel, fluidHello());
     channel.send(flapInterface(20));
-    channel.receive<coupling::Accepted>("accepted");
-    channel.send(coupling::Goodbye{"enough"});
+    channel.receive<channel::Accepted>("accepted");
+    channel.send(channel::Goodbye{"enough"});
     EXPECT_EQ(program.wait(), 0);
 }
 
@@ -198,8 +198,8 @@ TEST(Program, tcp_needs_a_token_and_refuses_a_wrong_one) {
     const std::string output = program.output();
     const auto start = output.find("tcp://");
     const std::string address = output.substr(start, output.find('\n', start) - start);
-    coupling::Channel channel = coupling::Channel::connect(address);
-    EXPECT_THROW(coupling::shakeHands(channel, fluidHello("guess")), coupling::PeerError);
+    channel::Channel channel = channel::Channel::connect(address);
+    EXPECT_THROW(channel::shakeHands(channel, fluidHello("guess")), channel::PeerError);
     EXPECT_EQ(program.wait(), 1);
     EXPECT_THAT(program.output(), HasSubstr("wrong token"));
 }

@@ -62,14 +62,6 @@ void checkSpans(const KnotVector& knots) {
                                          at[i - 1], at[i]));
         }
     }
-    // Beyond these the range or its inverse is no number.
-    constexpr double minRange = 1e-300, maxRange = 1e300;
-    const double range = knots.back() - knots.front();
-    if (range > 0 && !(range >= minRange && range <= maxRange)) {
-        throw InputError(fmt::format("knots from {:g} to {:g}: their range must lie between {:g} "
-                                     "and {:g}",
-                                     knots.front(), knots.back(), minRange, maxRange));
-    }
 }
 
 void checkMultiplicities(int degree, const KnotVector& knots) {

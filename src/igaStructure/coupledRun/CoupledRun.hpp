@@ -19,8 +19,8 @@ struct CoupledRunOptions {
 /// Runs a case coupled to the fluid at the other end of a channel, until that
 /// says goodbye. If the run fails, even by a mistake in the case file, the
 /// fluid is told why.
-/// @throws InputError, SolverError, OutputError, Interrupted, coupling::PeerError
-void runCoupled(const std::string& caseFile, coupling::Channel channel,
+/// @throws InputError, SolverError, OutputError, Interrupted, channel::PeerError
+void runCoupled(const std::string& caseFile, channel::Channel channel,
                 const CoupledRunOptions& options, const Report& report);
 
 } // namespace tokay::structure

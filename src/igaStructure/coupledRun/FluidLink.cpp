@@ -14,27 +14,27 @@ constexpr double pollInterval = 0.2;
 
 } // namespace
 
-FluidLink::FluidLink(coupling::Channel channel, double silenceInterval, Report report)
+FluidLink::FluidLink(channel::Channel channel, double silenceInterval, Report report)
     : channel_(std::move(channel)), silenceInterval_(silenceInterval), report_(std::move(report)) {
     channel_.reportSilence(pollInterval, [this](const std::string& text) { onSilence(text); });
     beginWaiting();
 }
 
 void FluidLink::shakeHands(const std::string& token) {
-    coupling::Hello hello;
-    hello.role = coupling::Role::structure;
+    channel::Hello hello;
+    hello.role = channel::Role::structure;
     hello.program = std::string("igaStructure ") + version;
     hello.token = token;
-    coupling::shakeHands(channel_, hello);
+    channel::shakeHands(channel_, hello);
 }
 
-void FluidLink::send(const coupling::Message& message) {
+void FluidLink::send(const channel::Message& message) {
     throwIfInterrupted();
     beginWaiting();
     channel_.send(message);
 }
 
-coupling::Message FluidLink::receive(const std::string& waitingFor) {
+channel::Message FluidLink::receive(const std::string& waitingFor) {
     beginWaiting();
     return channel_.receive(waitingFor);
 }
@@ -42,7 +42,7 @@ coupling::Message FluidLink::receive(const std::string& waitingFor) {
 void FluidLink::tellFailure(const std::string& text) noexcept {
     if (!toldFailure_) {
         toldFailure_ = true;
-        channel_.trySend(coupling::Failure{text});
+        channel_.trySend(channel::Failure{text});
     }
 }
 

@@ -12,15 +12,15 @@ namespace tokay::structure {
 class FluidLink {
   public:
     /// @param silenceInterval  a silent fluid is reported this often [s]
-    FluidLink(coupling::Channel channel, double silenceInterval, Report report);
+    FluidLink(channel::Channel channel, double silenceInterval, Report report);
     FluidLink(const FluidLink&) = delete;
     FluidLink& operator=(const FluidLink&) = delete;
 
     void shakeHands(const std::string& token);
 
     /// As those of Channel. @throws also Interrupted
-    void send(const coupling::Message& message);
-    coupling::Message receive(const std::string& waitingFor);
+    void send(const channel::Message& message);
+    channel::Message receive(const std::string& waitingFor);
     template <class Expected>
     Expected receive(const std::string& waitingFor) {
         beginWaiting();
@@ -34,7 +34,7 @@ class FluidLink {
     void beginWaiting();
     void onSilence(const std::string& text);
 
-    coupling::Channel channel_;
+    channel::Channel channel_;
     double silenceInterval_;
     Report report_;
     std::chrono::steady_clock::time_point nextReport_;

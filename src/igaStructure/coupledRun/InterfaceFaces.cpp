@@ -25,14 +25,14 @@ double sweptByTriangle(const Vector3d& p, const Vector3d& q, const Vector3d& r, 
 
 } // namespace
 
-InterfaceFaces::InterfaceFaces(const coupling::Interface& fluid)
+InterfaceFaces::InterfaceFaces(const channel::Interface& fluid)
     : isPlane_(fluid.dimension == 2), offsets_(fluid.faceOffsets), points_(fluid.facePoints) {
     std::vector<Eigen::Triplet<double>> entries;
     const int nFaces = static_cast<int>(offsets_.size()) - 1;
     for (int face = 0; face < nFaces; ++face) {
         const std::uint32_t nPoints = offsets_[face + 1] - offsets_[face];
         if (nPoints == 0) {
-            throw coupling::PeerError(
+            throw channel::PeerError(
                 fmt::format("face {} of the fluid's interface has no points", face));
         }
         for (std::uint32_t k = offsets_[face]; k < offsets_[face + 1]; ++k) {

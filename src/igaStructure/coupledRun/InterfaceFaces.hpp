@@ -13,8 +13,8 @@ namespace tokay::structure {
 /// motion of the faces is force times motion of the points.
 class InterfaceFaces {
   public:
-    /// @throws coupling::PeerError if a face has no points
-    explicit InterfaceFaces(const coupling::Interface& fluid);
+    /// @throws channel::PeerError if a face has no points
+    explicit InterfaceFaces(const channel::Interface& fluid);
 
     int count() const { return static_cast<int>(mean_.rows()); }
 

@@ -13,12 +13,12 @@ Eigen::VectorXd PrescribedStructure::beginTimeStep(int step, double time, double
     return displacements_;
 }
 
-Answer PrescribedStructure::iterate(const std::vector<double>&, double) {
+StructureResponse PrescribedStructure::iterate(const Eigen::VectorXd&, double) {
     ++nExchanges_;
     return {displacements_, 0, true};
 }
 
-Answer PrescribedStructure::acceptTimeStep(const std::vector<double>&, bool) {
+StructureResponse PrescribedStructure::acceptTimeStep(const Eigen::VectorXd&, bool) {
     ++nExchanges_;
     report_(fmt::format("step {} time {:.6g} s  exchanges {}  prescribed motion", step_, time_,
                         nExchanges_));

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "igaStructure/coupledRun/CoupledParticipant.hpp"
 #include "igaStructure/coupledRun/DisplacementRecord.hpp"
-#include "igaStructure/coupledRun/StructureSide.hpp"
 #include "igaStructure/run/StepReport.hpp"
 
 namespace tokay::structure {
 
-/// Answers recorded displacements whatever the forces are: shows how many
+/// Returns recorded displacements whatever the forces are: shows how many outer
 /// correctors the fluid alone needs.
-class PrescribedStructure : public StructureSide {
+class PrescribedStructure : public CoupledParticipant {
   public:
     PrescribedStructure(DisplacementRecord record, Report report)
         : record_(std::move(record)), report_(std::move(report)) {}
 
     Eigen::VectorXd beginTimeStep(int step, double time, double deltaT) override;
-    Answer iterate(const std::vector<double>& forces, double fluidResidual) override;
-    Answer acceptTimeStep(const std::vector<double>& forces, bool writeResults) override;
+    StructureResponse iterate(const Eigen::VectorXd& faceForces, double fluidResidual) override;
+    StructureResponse acceptTimeStep(const Eigen::VectorXd& finalForces,
+                                     bool writeResults) override;
     void rejectTimeStep() override {}
 
   private:

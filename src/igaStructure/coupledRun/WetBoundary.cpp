@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/coupledRun/WetBoundary.hpp"
 
-#include "channel/PeerError.hpp"
 #include "common/errors.hpp"
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <cassert>
 
 namespace tokay::structure {
 
-using coupling::Interface;
-using coupling::PeerError;
+using channel::Interface;
 using geometry::Points;
 
 namespace {
@@ -41,10 +39,6 @@ Points readPoints(const Body& body, const Interface& fluid) {
     return points;
 }
 
-std::string text(const Eigen::VectorXd& components) {
-    return fmt::format("({:.6g})", fmt::join(components, ", "));
-}
-
 } // namespace
 
 WetBoundary::WetBoundary(const Body& body, const Coupling& coupling, const Interface& fluid)
@@ -69,27 +63,21 @@ Eigen::MatrixXd WetBoundary::variations(const Eigen::VectorXd& displacement,
     return result;
 }
 
-Points WetBoundary::onPoints(const std::vector<double>& onFaces) const {
-    if (onFaces.size() != static_cast<std::size_t>(dimension_) * nFaces()) {
-        throw PeerError(fmt::format("the fluid sent {} force components for {} faces",
-                                    onFaces.size(), nFaces()));
-    }
-    const Eigen::Map<const PointRows> given(onFaces.data(), nFaces(), dimension_);
-    for (int face = 0; face < nFaces(); ++face) {
-        if (!given.row(face).allFinite()) {
-            throw PeerError(fmt::format(
-                "the fluid's force on face {} at {} is not finite: {}; the flow has diverged", face,
-                text(faces_.means(points_).row(face).head(dimension_)), text(given.row(face))));
-        }
-    }
+Points WetBoundary::onPoints(const Eigen::VectorXd& faceForces) const {
+    assert(faceForces.size() == dimension_ * nFaces() && faceForces.allFinite());
+    const Eigen::Map<const PointRows> given(faceForces.data(), nFaces(), dimension_);
     Points forces = Points::Zero(nFaces(), 3);
     forces.leftCols(dimension_) = given;
     return faces_.onPoints(forces);
 }
 
-Eigen::VectorXd WetBoundary::forces(const std::vector<double>& onFaces,
+Eigen::VectorXd WetBoundary::faceCentre(int face) const {
+    return faces_.means(points_).row(face).head(dimension_);
+}
+
+Eigen::VectorXd WetBoundary::forces(const Eigen::VectorXd& faceForces,
                                     const Eigen::VectorXd& displacement) const {
-    return transfer_->forces(displacement, onPoints(onFaces));
+    return transfer_->forces(displacement, onPoints(faceForces));
 }
 
 } // namespace tokay::structure

@@ -10,13 +10,14 @@
 
 namespace tokay::structure {
 
-/// The fluid's interface as the structure sees it: takes vectors of the
-/// channel, checks them, and transfers them to and from the body.
+/// The fluid's interface as the structure sees it: transfers forces on its faces and
+/// displacements of its points to and from the body.
 class WetBoundary {
   public:
     /// @throws InputError if the two sides do not fit: dimension, gap
-    WetBoundary(const Body& body, const Coupling& coupling, const coupling::Interface& fluid);
+    WetBoundary(const Body& body, const Coupling& coupling, const channel::Interface& fluid);
 
+    int dimension() const { return dimension_; }
     int nPoints() const { return static_cast<int>(points_.rows()); }
     int nFaces() const { return faces_.count(); }
     /// Of displacements(): dimension times nPoints().
@@ -34,14 +35,16 @@ class WetBoundary {
                                const Eigen::MatrixXd& variations) const;
 
     /// Forces on the structure's unknowns; same sum and virtual work.
-    /// @param onFaces       face after face [N]; a plane scene: per unit depth [N/m]
+    /// @param faceForces    face after face [N]; a plane scene: per unit depth [N/m]
     /// @param displacement  of the structure, at which a thin body's sections stand
-    /// @throws  coupling::PeerError that names the face whose force is not finite
-    Eigen::VectorXd forces(const std::vector<double>& onFaces,
+    Eigen::VectorXd forces(const Eigen::VectorXd& faceForces,
                            const Eigen::VectorXd& displacement) const;
 
     /// Forces of faces on the fluid's points, nPoints x 3; other arguments as in forces().
-    geometry::Points onPoints(const std::vector<double>& onFaces) const;
+    geometry::Points onPoints(const Eigen::VectorXd& faceForces) const;
+
+    /// Mean of a face's points in the reference configuration [m].
+    Eigen::VectorXd faceCentre(int face) const;
 
     const InterfaceFaces& faces() const { return faces_; }
     const InterfaceTransfer& transfer() const { return *transfer_; }

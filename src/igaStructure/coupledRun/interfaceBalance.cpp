@@ -8,7 +8,7 @@ namespace tokay::structure {
 using Eigen::Vector3d;
 using geometry::Points;
 
-coupling::InterfaceBalance interfaceBalance(const WetBoundary& boundary, const AuditedStep& step) {
+channel::InterfaceBalance interfaceBalance(const WetBoundary& boundary, const AuditedStep& step) {
     const InterfaceTransfer& transfer = boundary.transfer();
     const Points onPoints = boundary.onPoints(step.forces);
     const Points forces = transfer.controlForces(step.mapped, onPoints);
@@ -22,7 +22,7 @@ coupling::InterfaceBalance interfaceBalance(const WetBoundary& boundary, const A
     }
     const double work = transfer.forces(step.mapped, onPoints).dot(step.after - step.before);
     const Points& points = boundary.points();
-    coupling::InterfaceBalance balance;
+    channel::InterfaceBalance balance;
     balance.force = {force.x(), force.y(), force.z()};
     balance.moment = {moment.x(), moment.y(), moment.z()};
     balance.power = work / transfer.depth() / step.deltaT;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/Schema.hpp"
-#include "coupling/CouplingOptions.hpp"
+#include "coupling/step/CouplingOptions.hpp"
 
 namespace tokay::structure {
 

@@ -55,7 +55,8 @@ RunOutput::RunOutput(const Case& structureCase, const Body& body, const MotionSt
 void RunOutput::finishStep(const StepReport& step, const MotionState& state,
                            const Energies& energies, PhaseTimer& timer, bool writeResults) {
     if (writeResults) {
-        timer.time(Phase::output, [&] { results_.add(state); });
+        const auto timed = timer.enter(Phase::output);
+        results_.add(state);
     }
     const Clock::time_point now = Clock::now();
     const double seconds = secondsBetween(stepStart_, now);

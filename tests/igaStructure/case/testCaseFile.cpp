@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "igaStructure/caseFile/CaseEntry.hpp"
+#include "igaStructure/case/kinematicsTypes.hpp"
 #include "igaStructure/exampleCase.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <functional>
 #include <set>
 #include <sstream>
 
@@ -207,19 +208,49 @@ TEST(CaseFile, nurbs_patch_that_does_not_fit_its_knots_is_reported_with_its_plac
                 HasSubstr("case.yaml:2:10: geometry.nurbs: "));
 }
 
-TEST(CaseFile, every_path_of_the_table_of_entries_is_unique_and_has_a_parent) {
-    std::set<std::string> paths;
-    for (const CaseEntry& entry : caseEntries()) {
-        EXPECT_TRUE(paths.insert(entry.path).second) << entry.path;
-        const auto dot = entry.path.rfind('.');
-        if (dot != std::string::npos) {
-            std::string parent = entry.path.substr(0, dot);
-            if (parent.size() > 2 && parent.substr(parent.size() - 2) == "[]") {
-                parent.resize(parent.size() - 2);
-            }
-            EXPECT_TRUE(paths.count(parent)) << entry.path;
+namespace {
+
+// Visits each entry of a schema and of the sections, lists and choices inside it.
+void forEachEntry(const Schema& schema, void* options, const std::string& path,
+                  const std::function<void(const Entry&, void*, const std::string&)>& visit) {
+    for (const Entry& entry : schema.entries) {
+        const std::string name = path + entry.name;
+        visit(entry, options, name);
+        const Slot slot = entry.slot(options);
+        if (const auto* section = std::get_if<Section>(&slot)) {
+            forEachEntry(*section->schema, section->options, name + ".", visit);
+        } else if (const auto* list = std::get_if<SectionList>(&slot)) {
+            forEachEntry(*list->schema, list->append(), name + "[].", visit);
         }
-        EXPECT_FALSE(entry.meaning.empty()) << entry.path;
+        for (const Alternative& alternative : entry.alternatives) {
+            for (const Entry& own : alternative.own.entries) {
+                EXPECT_FALSE(own.meaning.empty()) << path << own.name;
+            }
+        }
+    }
+}
+
+} // namespace
+
+TEST(CaseFile, everyEntryHasAUniquePathAndAMeaningAndItsDefaultIsInItsRange) {
+    for (const KinematicsType& kinematics : kinematicsTypes()) {
+        std::set<std::string> paths;
+        const auto body = kinematics.makeEntries();
+        const auto visit = [&](const Entry& entry, void* options, const std::string& path) {
+            EXPECT_TRUE(paths.insert(path).second) << kinematics.name << ": " << path;
+            EXPECT_FALSE(entry.meaning.empty()) << kinematics.name << ": " << path;
+            if (entry.fallback.isRequired || (entry.isSet && !entry.isSet(options))) {
+                return;
+            }
+            const Slot slot = entry.slot(options);
+            if (const auto* number = std::get_if<double*>(&slot)) {
+                EXPECT_TRUE(entry.range.contains(**number)) << path << ": " << **number;
+            } else if (const auto* integer = std::get_if<int*>(&slot)) {
+                EXPECT_TRUE(entry.range.contains(**integer)) << path << ": " << **integer;
+            }
+        };
+        forEachEntry(*kinematics.schema, body->entries(), "", visit);
+        EXPECT_GT(paths.size(), 20u) << kinematics.name;
     }
 }
 

@@ -13,7 +13,7 @@
 
 using namespace tokay;
 using namespace tokay::structure;
-using coupling::State;
+using channel::State;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
@@ -39,7 +39,7 @@ double seconds(const std::function<void()>& work) {
 // Ten steps under a constant force of 100 N/m; returns the watch point's table.
 std::vector<std::vector<double>> watchOfCoupledRun(const TemporaryDirectory& directory,
                                                    const std::string& text, int nFaces) {
-    const coupling::Interface fluid = flapInterface(nFaces);
+    const channel::Interface fluid = flapInterface(nFaces);
     ScriptedFluid script(directory.write("case.yaml", text));
     script.start(fluid);
     for (std::uint32_t step = 1; step <= 10; ++step) {
@@ -100,15 +100,15 @@ TEST(CoupledRun, plate_of_any_thickness_moves_alike_because_forces_are_per_unit_
 
 TEST(CoupledRun, session_sends_predicted_then_iterated_then_accepted_displacements) {
     const TemporaryDirectory directory;
-    const coupling::Interface fluid = flapInterface(20);
+    const channel::Interface fluid = flapInterface(20);
     const std::vector<double> forces = forceOnLeft(fluid, 100);
     ScriptedFluid script(directory.write("case.yaml", coupledText()));
     EXPECT_THAT(script.start(fluid), AllOf(HasSubstr("coverage 100.0 %"), HasSubstr("force sum"),
                                            HasSubstr("42 points, 41 faces")));
-    const coupling::Displacements predicted = script.begin(1, 0.01, 0.01);
+    const channel::Displacements predicted = script.begin(1, 0.01, 0.01);
     EXPECT_EQ(predicted.state, State::iterate);
     EXPECT_EQ(predicted.values, std::vector<double>(84, 0.0)); // at rest
-    coupling::Displacements next = script.exchange(forces);
+    channel::Displacements next = script.exchange(forces);
     EXPECT_EQ(next.state, State::iterate);
     EXPECT_GE(next.residual, fluid.tolerance);
     while (next.state == State::iterate) {
@@ -116,7 +116,7 @@ TEST(CoupledRun, session_sends_predicted_then_iterated_then_accepted_displacemen
     }
     EXPECT_EQ(next.state, State::converged);
     EXPECT_LT(next.residual, fluid.tolerance);
-    const coupling::Displacements accepted = script.exchange(forces, true);
+    const channel::Displacements accepted = script.exchange(forces, true);
     EXPECT_EQ(accepted.state, State::accepted);
     EXPECT_LT(accepted.residual, fluid.tolerance);
     EXPECT_GT(accepted.values[2 * 20], 0); // the top left corner, pushed along x
@@ -128,7 +128,7 @@ TEST(CoupledRun, session_sends_predicted_then_iterated_then_accepted_displacemen
 
 TEST(CoupledRun, results_are_written_when_the_fluid_writes) {
     const TemporaryDirectory directory;
-    const coupling::Interface fluid = flapInterface(20);
+    const channel::Interface fluid = flapInterface(20);
     ScriptedFluid script(directory.write("case.yaml", coupledText()));
     script.start(fluid);
     script.advance(1, 0.01, forceOnLeft(fluid, 100));
@@ -144,7 +144,7 @@ TEST(CoupledRun, results_are_written_when_the_fluid_writes) {
 
 TEST(CoupledRun, log_and_tables_have_a_line_a_step_and_say_that_the_fluid_gives_the_time) {
     const TemporaryDirectory directory;
-    const coupling::Interface fluid = flapInterface(20);
+    const channel::Interface fluid = flapInterface(20);
     ScriptedFluid script(directory.write("case.yaml", coupledText()));
     script.start(fluid);
     int nExchanges = 0;
@@ -167,7 +167,7 @@ TEST(CoupledRun, log_and_tables_have_a_line_a_step_and_say_that_the_fluid_gives_
 
 TEST(CoupledRun, recorded_motion_is_answered_again_without_a_structure) {
     const TemporaryDirectory directory;
-    const coupling::Interface fluid = flapInterface(20);
+    const channel::Interface fluid = flapInterface(20);
     const std::string caseFile = directory.write("case.yaml", coupledText());
     CoupledRunOptions options;
     options.recordFile = directory.file("motion.dat");
@@ -187,13 +187,13 @@ TEST(CoupledRun, recorded_motion_is_answered_again_without_a_structure) {
     script.start(fluid);
     for (std::uint32_t step = 1; step <= 3; ++step) {
         EXPECT_EQ(script.begin(step, 0.01 * step, 0.01).values, motion[step - 1]);
-        const coupling::Displacements answer = script.exchange(forceOnLeft(fluid, -7));
+        const channel::Displacements answer = script.exchange(forceOnLeft(fluid, -7));
         EXPECT_EQ(answer.values, motion[step - 1]);
         EXPECT_EQ(answer.residual, 0);
         EXPECT_EQ(answer.state, State::converged);
         EXPECT_EQ(script.exchange(forceOnLeft(fluid, -7), true).state, State::accepted);
     }
-    script.channel().send(coupling::BeginStep{4, 0.04, 0.01});
+    script.channel().send(channel::BeginStep{4, 0.04, 0.01});
     EXPECT_THAT(script.failureText(), HasSubstr("motion.dat ends at 0.03 s"));
     EXPECT_THAT(script.outcome(), HasSubstr("motion.dat ends at 0.03 s"));
 }
@@ -201,7 +201,7 @@ TEST(CoupledRun, recorded_motion_is_answered_again_without_a_structure) {
 namespace {
 
 // What the structure says when it gets an interface; the fluid must hear the same.
-std::string refusal(const std::string& text, const coupling::Interface& fluid) {
+std::string refusal(const std::string& text, const channel::Interface& fluid) {
     const TemporaryDirectory directory;
     ScriptedFluid script(directory.write("case.yaml", text));
     script.channel().send(fluid);
@@ -215,7 +215,7 @@ std::string refusal(const std::string& text, const coupling::Interface& fluid) {
 } // namespace
 
 TEST(CoupledRun, interface_that_does_not_lie_on_the_structure_is_refused_with_the_gap) {
-    coupling::Interface fluid = flapInterface(20);
+    channel::Interface fluid = flapInterface(20);
     for (std::size_t k = 0; k < fluid.points.size(); k += 2) {
         fluid.points[k] += 0.25;
     }
@@ -224,7 +224,7 @@ TEST(CoupledRun, interface_that_does_not_lie_on_the_structure_is_refused_with_th
 }
 
 TEST(CoupledRun, three_dimensional_interface_is_refused) {
-    coupling::Interface fluid;
+    channel::Interface fluid;
     fluid.dimension = 3;
     fluid.points = {0, 0, 0, 0, 1, 0, 0, 1, 1};
     fluid.displacements.assign(9, 0);
@@ -235,7 +235,7 @@ TEST(CoupledRun, three_dimensional_interface_is_refused) {
 }
 
 TEST(CoupledRun, interface_that_is_not_consistent_is_refused) {
-    coupling::Interface fluid = flapInterface(20);
+    channel::Interface fluid = flapInterface(20);
     fluid.facePoints[3] = 1000;
     EXPECT_THAT(refusal(coupledText(), fluid), HasSubstr("a face has point 1000 of 42"));
     fluid = flapInterface(20);
@@ -272,7 +272,7 @@ class CoupledStep : public testing::Test {
         script.begin(1, 0.01, 0.01);
     }
     TemporaryDirectory directory;
-    coupling::Interface fluid = flapInterface(20);
+    channel::Interface fluid = flapInterface(20);
     ScriptedFluid script;
 };
 
@@ -281,13 +281,13 @@ class CoupledStep : public testing::Test {
 TEST_F(CoupledStep, force_that_is_not_finite_ends_both_sides_with_face_and_place) {
     std::vector<double> forces = forceOnLeft(fluid, 100);
     forces[2 * 3 + 1] = NAN;
-    script.channel().send(coupling::Forces{false, false, 0, forces});
+    script.channel().send(channel::Forces{false, false, 0, forces});
     EXPECT_THAT(script.failureText(), HasSubstr("force on face 3 at (-0.05, 0.175) is not finite"));
     EXPECT_THAT(script.outcome(), HasSubstr("force on face 3 at (-0.05, 0.175) is not finite"));
 }
 
 TEST_F(CoupledStep, wrong_number_of_forces_ends_both_sides) {
-    script.channel().send(coupling::Forces{false, false, 0, {1, 2, 3}});
+    script.channel().send(channel::Forces{false, false, 0, {1, 2, 3}});
     EXPECT_THAT(script.failureText(), HasSubstr("3 force components for 41 faces"));
     script.outcome();
 }
@@ -303,19 +303,19 @@ TEST_F(CoupledStep, fluid_that_vanishes_ends_the_structure_at_once) {
 }
 
 TEST_F(CoupledStep, failure_of_the_fluid_ends_the_structure_with_its_reason) {
-    script.channel().send(coupling::Failure{"the flow has diverged"});
+    script.channel().send(channel::Failure{"the flow has diverged"});
     EXPECT_THAT(script.outcome(), HasSubstr("the fluid ended: the flow has diverged"));
 }
 
 TEST_F(CoupledStep, message_out_of_turn_ends_both_sides) {
-    script.channel().send(coupling::BeginStep{2, 0.02, 0.01});
+    script.channel().send(channel::BeginStep{2, 0.02, 0.01});
     EXPECT_THAT(script.failureText(), HasSubstr("BeginStep"));
     script.outcome();
 }
 
 TEST(CoupledRun, silent_fluid_is_reported_and_waited_for) {
     const TemporaryDirectory directory;
-    const coupling::Interface fluid = flapInterface(20);
+    const channel::Interface fluid = flapInterface(20);
     CoupledRunOptions options;
     options.silenceInterval = 0.5;
     ScriptedFluid script(directory.write("case.yaml", coupledText()), options);

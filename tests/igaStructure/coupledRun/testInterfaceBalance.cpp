@@ -49,17 +49,13 @@ VectorXd randomVector(Eigen::Index size, double amplitude, unsigned seed) {
     return amplitude * VectorXd::Random(size);
 }
 
-std::vector<double> list(const VectorXd& values) {
-    return {values.data(), values.data() + values.size()};
-}
-
 // What the fluid has: forces at the means of the moved points of each face.
-coupling::InterfaceBalance fluidBalance(const WetBoundary& boundary, const AuditedStep& step) {
+channel::InterfaceBalance fluidBalance(const WetBoundary& boundary, const AuditedStep& step) {
     const Points before = boundary.points() + boundary.transfer().displacements(step.before);
     const Points after = boundary.points() + boundary.transfer().displacements(step.after);
     const Points centres = boundary.faces().means(after);
     const Points motion = boundary.faces().means(after - before);
-    coupling::InterfaceBalance balance;
+    channel::InterfaceBalance balance;
     for (int face = 0; face < boundary.nFaces(); ++face) {
         const Vector3d force(step.forces[2 * face], step.forces[2 * face + 1], 0);
         const Vector3d moment = Vector3d(centres.row(face)).cross(force);
@@ -72,16 +68,16 @@ coupling::InterfaceBalance fluidBalance(const WetBoundary& boundary, const Audit
     return balance;
 }
 
-void expectSameForceAndMoment(const coupling::InterfaceBalance& a,
-                              const coupling::InterfaceBalance& b, double scale) {
+void expectSameForceAndMoment(const channel::InterfaceBalance& a,
+                              const channel::InterfaceBalance& b, double scale) {
     for (int c = 0; c < 3; ++c) {
         EXPECT_NEAR(a.force[c], b.force[c], 1e-10 * scale);
         EXPECT_NEAR(a.moment[c], b.moment[c], 1e-10 * scale);
     }
 }
 
-coupling::Interface cube() {
-    coupling::Interface fluid;
+channel::Interface cube() {
+    channel::Interface fluid;
     fluid.dimension = 3;
     for (int i = 0; i < 8; ++i) {
         fluid.points.insert(fluid.points.end(), {i % 2 - 0.5, i / 2 % 2 - 0.5, i / 4 - 0.5});
@@ -92,7 +88,7 @@ coupling::Interface cube() {
 }
 
 Points cubePoints() {
-    const coupling::Interface fluid = cube();
+    const channel::Interface fluid = cube();
     return Eigen::Map<const Eigen::Matrix<double, 8, 3, Eigen::RowMajor>>(fluid.points.data());
 }
 
@@ -124,7 +120,7 @@ TEST(InterfaceBalance, force_and_moment_are_the_fluids_in_any_state) {
         const WetBoundary boundary(*body, wetPart(*body), flapInterface(20));
         const int n = body->model().nUnknowns();
         const VectorXd d = randomVector(n, 0.05, 1);
-        const std::vector<double> forces = list(randomVector(2 * boundary.nFaces(), 1, 2));
+        const VectorXd forces = randomVector(2 * boundary.nFaces(), 1, 2);
         const AuditedStep step{forces, VectorXd::Zero(n), d, d, 0.1};
         expectSameForceAndMoment(interfaceBalance(boundary, step), fluidBalance(boundary, step),
                                  boundary.nFaces());
@@ -135,7 +131,7 @@ TEST(InterfaceBalance, power_is_the_fluids_where_points_move_linearly_with_the_u
     for (const auto& body : {beam(Strains::linear), solid()}) {
         const WetBoundary boundary(*body, wetPart(*body), flapInterface(20));
         const int n = body->model().nUnknowns();
-        const std::vector<double> forces = list(randomVector(2 * boundary.nFaces(), 1, 3));
+        const VectorXd forces = randomVector(2 * boundary.nFaces(), 1, 3);
         const VectorXd before = randomVector(n, 0.05, 4), after = randomVector(n, 0.05, 5);
         const AuditedStep step{forces, before, before, after, 0.1};
         const double fluid = fluidBalance(boundary, step).power;
@@ -145,15 +141,15 @@ TEST(InterfaceBalance, power_is_the_fluids_where_points_move_linearly_with_the_u
 
 TEST(InterfaceBalance, translation_under_a_uniform_pressure_has_the_known_power_and_volume) {
     const auto body = solid();
-    const coupling::Interface fluid = flapInterface(10);
+    const channel::Interface fluid = flapInterface(10);
     const WetBoundary boundary(*body, wetPart(*body), fluid);
     // The flap's foot is dry: a pressure p presses down, p x 0.1 m
     const double p = 50;
-    std::vector<double> forces;
-    for (std::size_t face = 0; face + 1 < fluid.faceOffsets.size(); ++face) {
+    VectorXd forces(2 * boundary.nFaces());
+    for (int face = 0; face < boundary.nFaces(); ++face) {
         const std::uint32_t a = fluid.facePoints[2 * face], b = fluid.facePoints[2 * face + 1];
-        forces.push_back(p * (fluid.points[2 * b + 1] - fluid.points[2 * a + 1]));
-        forces.push_back(-p * (fluid.points[2 * b] - fluid.points[2 * a]));
+        forces[2 * face] = p * (fluid.points[2 * b + 1] - fluid.points[2 * a + 1]);
+        forces[2 * face + 1] = -p * (fluid.points[2 * b] - fluid.points[2 * a]);
     }
     const int n = body->model().nUnknowns();
     VectorXd translation(n);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/errors.hpp"
 #include "igaStructure/ScriptedFluid.hpp"
-#include "igaStructure/coupledRun/SavedState.hpp"
-#include "igaStructure/coupledRun/StateFolder.hpp"
-#include "igaStructure/coupledRun/interfaceRenumbering.hpp"
+#include "igaStructure/coupledRun/restart/SavedState.hpp"
+#include "igaStructure/coupledRun/restart/StateFolder.hpp"
+#include "igaStructure/coupledRun/restart/interfaceRenumbering.hpp"
 #include "igaStructure/exampleCase.hpp"
 #include "igaStructure/output/pvd.hpp"
 #include "temporaryDirectory.hpp"
@@ -145,12 +145,12 @@ std::string nonlinearCaseText() {
     return text.replace(text.find("strains: linear"), 15, "strains: nonlinear");
 }
 
-std::vector<double> forcesOf(const coupling::Interface& fluid, std::uint32_t step) {
+std::vector<double> forcesOf(const channel::Interface& fluid, std::uint32_t step) {
     return forceOnLeft(fluid, 100 * std::sin(0.5 * step));
 }
 
 // Answers of the structure to steps of 0.01 s; every third is written.
-std::vector<std::vector<double>> runSteps(ScriptedFluid& script, const coupling::Interface& fluid,
+std::vector<std::vector<double>> runSteps(ScriptedFluid& script, const channel::Interface& fluid,
                                           std::uint32_t first, std::uint32_t last) {
     std::vector<std::vector<double>> answers;
     for (std::uint32_t step = first; step <= last; ++step) {
@@ -192,7 +192,7 @@ class RestartedRun : public testing::Test {
         std::vector<std::vector<double>> answers = runSteps(script, fluid, 7, 9);
         script.sayGoodbye();
         EXPECT_EQ(script.outcome(), "");
-        EXPECT_THAT(script.log(), HasSubstr("goes on from the saved state of 0.06 s"));
+        EXPECT_THAT(script.log(), HasSubstr("restarting from the saved state at t = 0.06 s"));
         return answers;
     }
 
@@ -206,7 +206,7 @@ class RestartedRun : public testing::Test {
 
     TemporaryDirectory directory;
     std::string caseFile;
-    coupling::Interface fluid = flapInterface(20);
+    channel::Interface fluid = flapInterface(20);
     std::vector<std::vector<double>> expected;
 };
 
@@ -284,7 +284,7 @@ TEST_F(RestartedRun, carries_on_without_acceleration_history_on_another_mesh) {
     script.exchange(forcesOf(fluid, 1), true);
     script.sayGoodbye();
     EXPECT_EQ(script.outcome(), "");
-    EXPECT_THAT(script.log(), HasSubstr("predictor and acceleration begin anew"));
+    EXPECT_THAT(script.log(), HasSubstr("predictor and acceleration history are reset"));
 }
 
 TEST_F(RestartedRun, names_the_times_that_have_a_state_if_the_fluids_has_none) {
@@ -324,7 +324,7 @@ TEST(RejectedStep, leaves_no_trace_in_the_steps_after_it) {
     std::vector<std::vector<std::vector<double>>> answers;
     for (const bool rejects : {false, true}) {
         const TemporaryDirectory directory;
-        coupling::Interface fluid = flapInterface(20);
+        channel::Interface fluid = flapInterface(20);
         fluid.tolerance = 1e-9;
         fluid.retries = true;
         ScriptedFluid script(directory.write("case.yaml", caseText()));
@@ -335,7 +335,7 @@ TEST(RejectedStep, leaves_no_trace_in_the_steps_after_it) {
             for (int exchange = 0; exchange < 3; ++exchange) {
                 script.exchange(forceOnLeft(fluid, 1e4 * exchange));
             }
-            script.channel().send(coupling::RejectStep{"not converged"});
+            script.channel().send(channel::RejectStep{"not converged"});
         }
         answers.push_back(runSteps(script, fluid, 4, 6));
         script.sayGoodbye();
@@ -355,7 +355,7 @@ class ImpossibleStep : public testing::Test {
     }
     TemporaryDirectory directory;
     std::string caseFile;
-    coupling::Interface fluid = flapInterface(20);
+    channel::Interface fluid = flapInterface(20);
 };
 
 } // namespace
@@ -365,13 +365,13 @@ TEST_F(ImpossibleStep, is_told_to_a_fluid_that_retries_and_forgotten_when_it_rej
     ScriptedFluid script(caseFile);
     script.start(fluid);
     script.begin(1, 0.01, 0.01);
-    const coupling::Displacements answer = script.exchange(forceOnLeft(fluid, 1e7));
-    EXPECT_EQ(answer.state, coupling::State::rejected);
+    const channel::Displacements answer = script.exchange(forceOnLeft(fluid, 1e7));
+    EXPECT_EQ(answer.state, channel::State::rejected);
     EXPECT_THAT(answer.reason, HasSubstr("time 0.01 s"));
-    script.channel().send(coupling::RejectStep{"the structure has no solution"});
+    script.channel().send(channel::RejectStep{"the structure has no solution"});
     // From rest again, the forces of which nothing is left
     EXPECT_THAT(script.begin(1, 1e-5, 1e-5).values, testing::Each(0));
-    EXPECT_EQ(script.exchange(forceOnLeft(fluid, 1e-3), true).state, coupling::State::accepted);
+    EXPECT_EQ(script.exchange(forceOnLeft(fluid, 1e-3), true).state, channel::State::accepted);
     script.sayGoodbye();
     EXPECT_EQ(script.outcome(), "");
     EXPECT_THAT(script.log(), HasSubstr("step 1 time 0.01 s is rejected"));
@@ -381,7 +381,7 @@ TEST_F(ImpossibleStep, ends_the_run_of_a_fluid_that_does_not_retry) {
     ScriptedFluid script(caseFile);
     script.start(fluid);
     script.begin(1, 0.01, 0.01);
-    script.channel().send(coupling::Forces{false, false, 0, forceOnLeft(fluid, 1e7)});
+    script.channel().send(channel::Forces{false, false, 0, forceOnLeft(fluid, 1e7)});
     EXPECT_THAT(script.failureText(), HasSubstr("time 0.01 s"));
     script.outcome();
 }

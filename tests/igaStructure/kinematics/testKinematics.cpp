@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/errors.hpp"
+#include "igaStructure/case/kinematicsTypes.hpp"
 #include "igaStructure/case/makeBody.hpp"
-#include "igaStructure/caseFile/CaseEntry.hpp"
 #include "igaStructure/exampleCase.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <random>
 #include <set>
@@ -24,17 +25,30 @@ struct Member {
     std::string kinematics, material, strains;
 };
 
-std::vector<std::string> wordsOf(const std::string& entry) {
-    return splitWords(findCaseEntry(entry)->allowed);
+const Entry& entryOf(const Schema& schema, const std::string& name) {
+    return *std::find_if(schema.entries.begin(), schema.entries.end(),
+                         [&](const Entry& entry) { return entry.name == name; });
 }
 
-// All that the manual's own lists offer, so that a new member is tested by being added.
+// The words that a kinematics' own schema offers for an entry of a section.
+std::vector<std::string> wordsOf(const KinematicsType& kinematics, const std::string& section,
+                                 const std::string& entry) {
+    const auto body = kinematics.makeEntries();
+    const auto slot = std::get<Section>(entryOf(*kinematics.schema, section).slot(body->entries()));
+    std::vector<std::string> words;
+    for (const Alternative& alternative : entryOf(*slot.schema, entry).alternatives) {
+        words.push_back(alternative.name);
+    }
+    return words;
+}
+
+// All that the program's own lists offer, so that a new member is tested by being added.
 std::vector<Member> members() {
     std::vector<Member> all;
-    for (const std::string& kinematics : wordsOf("model.kinematics")) {
-        for (const std::string& material : wordsOf("material.type")) {
-            for (const std::string& strains : wordsOf("model.strains")) {
-                all.push_back({kinematics, material, strains});
+    for (const KinematicsType& kinematics : kinematicsTypes()) {
+        for (const std::string& material : wordsOf(kinematics, "material", "type")) {
+            for (const std::string& strains : wordsOf(kinematics, "model", "strains")) {
+                all.push_back({kinematics.name, material, strains});
             }
         }
     }

@@ -22,7 +22,7 @@ struct notice
 {
     int signal;
     std::string line;   // empty where OpenFOAM or the library reports it
-    tokay::coupling::Bytes frame;
+    tokay::channel::Bytes frame;
     struct sigaction before;
 };
 
@@ -48,7 +48,7 @@ bool hasStructure()
 }
 
 //- Send a frame to all structures. Async-signal-safe
-void notifyStructures(const tokay::coupling::Bytes& frame)
+void notifyStructures(const tokay::channel::Bytes& frame)
 {
     for (const std::atomic<int>& socket : sockets)
     {
@@ -89,9 +89,9 @@ void notifyOfExit()
 {
     notifyStructures
     (
-        tokay::coupling::encodeFrame
+        tokay::channel::encodeFrame
         (
-            tokay::coupling::Failure
+            tokay::channel::Failure
             {
                 "it was stopped by an error of its own. See its log"
             }
@@ -115,9 +115,9 @@ void install
             "\nstructureCoupling: the run ends here: it was " + what + '\n';
     }
     n.frame =
-        tokay::coupling::encodeFrame
+        tokay::channel::encodeFrame
         (
-            tokay::coupling::Failure{"it was " + what}
+            tokay::channel::Failure{"it was " + what}
         );
 
     sigaction(signal, nullptr, &n.before);

@@ -16,7 +16,7 @@
 namespace
 {
 
-using namespace tokay::coupling;
+using namespace tokay::channel;
 
 //- How long a structure may take to end by itself, in seconds
 constexpr double patience = 10;
@@ -300,7 +300,7 @@ std::string Foam::structureConnection::start(const Interface& interface)
 }
 
 
-tokay::coupling::Displacements Foam::structureConnection::exchange
+tokay::channel::Displacements Foam::structureConnection::exchange
 (
     const Message& message,
     const std::string& waitingFor

@@ -253,7 +253,7 @@ Foam::couplingInterface::couplingInterface
 void Foam::couplingInterface::describe
 (
     const pointVectorField& displacement,
-    tokay::coupling::Interface& message
+    tokay::channel::Interface& message
 )
 {
     pointField points;

@@ -21,7 +21,7 @@ void Foam::couplingSession::beginTimeStep()
     coupledCorrector_ = 0;
 
     const scalar start = stepController::wallClock();
-    tokay::coupling::BeginStep message;
+    tokay::channel::BeginStep message;
     message.step = step_.number();
     message.time = mesh_.time().value();
     message.deltaT = mesh_.time().deltaTValue();
@@ -76,7 +76,7 @@ void Foam::couplingSession::iterate(const bool final)
     }
 
     stepController::statistics& current = step_.current();
-    tokay::coupling::Forces message;
+    tokay::channel::Forces message;
     message.final = final;
     message.write = final && mesh_.time().writeTime();
     message.fluidResidual = current.fluidResidual;
@@ -102,10 +102,10 @@ void Foam::couplingSession::iterate(const bool final)
 
 void Foam::couplingSession::receive
 (
-    const tokay::coupling::Displacements& solution
+    const tokay::channel::Displacements& solution
 )
 {
-    using tokay::coupling::State;
+    using tokay::channel::State;
 
     label state = static_cast<label>(solution.state);
     Pstream::scatter(state);
@@ -135,7 +135,7 @@ void Foam::couplingSession::receive
 
 void Foam::couplingSession::audit
 (
-    const tokay::coupling::InterfaceBalance& balance
+    const tokay::channel::InterfaceBalance& balance
 )
 {
     const scalar depth = interface_.depth();
@@ -258,7 +258,7 @@ Foam::couplingSession::couplingSession
     corrector_(0),
     coupledCorrector_(0)
 {
-    tokay::coupling::Interface message;
+    tokay::channel::Interface message;
     message.name = name;
     message.tolerance = residual_.tolerance();
     message.audit = audit_.active();

@@ -47,8 +47,8 @@ VectorXd randomVector(Eigen::Index size, double amplitude, unsigned seed) {
 
 // The fluid's faces around the flap, each with its centre as its only point, so
 // that the motion of face centres is seen.
-coupling::Interface centresOf(const coupling::Interface& fluid) {
-    coupling::Interface centres = fluid;
+channel::Interface centresOf(const channel::Interface& fluid) {
+    channel::Interface centres = fluid;
     centres.points.clear();
     centres.facePoints.clear();
     centres.faceOffsets = {0};
@@ -77,7 +77,7 @@ Coupling offsetCoupling() {
 TEST(BeamTransfer, forces_and_motion_of_face_centres_do_the_same_virtual_work_at_any_state) {
     for (Strains strains : {Strains::linear, Strains::nonlinear}) {
         const BeamBody body = flap(strains);
-        const coupling::Interface centres = centresOf(flapInterface(20));
+        const channel::Interface centres = centresOf(flapInterface(20));
         const WetBoundary boundary(body, offsetCoupling(), centres);
         const int n = body.model().nUnknowns();
         const VectorXd d = randomVector(n, 0.05, 1);
@@ -87,8 +87,7 @@ TEST(BeamTransfer, forces_and_motion_of_face_centres_do_the_same_virtual_work_at
         const VectorXd motion = (boundary.displacements(d + h * variation) -
                                  boundary.displacements(d - h * variation)) /
                                 (2 * h);
-        const VectorXd onUnknowns =
-            boundary.forces({faceForces.data(), faceForces.data() + faceForces.size()}, d);
+        const VectorXd onUnknowns = boundary.forces(faceForces, d);
         const double work = faceForces.dot(motion);
         EXPECT_NEAR(onUnknowns.dot(variation), work, 1e-7 * faceForces.norm() * motion.norm());
     }
@@ -96,10 +95,10 @@ TEST(BeamTransfer, forces_and_motion_of_face_centres_do_the_same_virtual_work_at
 
 TEST(BeamTransfer, couple_of_opposite_forces_on_both_sides_arrives_as_a_moment) {
     const BeamBody body = flap(Strains::nonlinear);
-    const coupling::Interface fluid = flapInterface(20);
+    const channel::Interface fluid = flapInterface(20);
     const WetBoundary boundary(body, offsetCoupling(), fluid);
     // Down on the left, up on the right: turns the upward axis to the left.
-    std::vector<double> values(2 * boundary.nFaces(), 0);
+    VectorXd values = VectorXd::Zero(2 * boundary.nFaces());
     values[2 * 10 + 1] = -1;
     values[2 * (boundary.nFaces() - 11) + 1] = 1;
     const VectorXd d = VectorXd::Zero(body.model().nUnknowns());
@@ -119,7 +118,7 @@ TEST(BeamTransfer, couple_of_opposite_forces_on_both_sides_arrives_as_a_moment) 
 
 TEST(BeamTransfer, sides_keep_their_distance_in_a_large_rotation) {
     const BeamBody body = flap(Strains::nonlinear);
-    const coupling::Interface fluid = flapInterface(20);
+    const channel::Interface fluid = flapInterface(20);
     const WetBoundary boundary(body, offsetCoupling(), fluid);
     VectorXd d = randomVector(body.model().nUnknowns(), 0.05, 5);
     const VectorXd u = boundary.displacements(d);
@@ -134,7 +133,7 @@ TEST(BeamTransfer, sides_keep_their_distance_in_a_large_rotation) {
 
 TEST(BeamTransfer, coupled_beam_moves_under_a_constant_force_as_under_a_traction_alone) {
     const TemporaryDirectory coupled;
-    const coupling::Interface fluid = flapInterface(400);
+    const channel::Interface fluid = flapInterface(400);
     ScriptedFluid script(coupled.write("case.yaml", coupledBeam("linear")));
     const std::string report = script.start(fluid);
     EXPECT_THAT(report, HasSubstr("coupling: interface the whole body, offset, gap limit 0.1"));
@@ -166,12 +165,12 @@ TEST(BeamTransfer, coupled_beam_moves_under_a_constant_force_as_under_a_traction
 
 TEST(BeamTransfer, nonlinear_coupled_beam_needs_few_exchanges_and_repeats_its_answer) {
     const TemporaryDirectory directory;
-    const coupling::Interface fluid = flapInterface(20);
+    const channel::Interface fluid = flapInterface(20);
     ScriptedFluid script(directory.write("case.yaml", coupledBeam("nonlinear")));
     script.start(fluid);
     const std::vector<double> values = forceOnLeft(fluid, 2000);
     script.begin(1, 0.01, 0.01);
-    std::vector<coupling::Displacements> answers;
+    std::vector<channel::Displacements> answers;
     for (int k = 0; k < 4; ++k) {
         answers.push_back(script.exchange(values));
     }

@@ -241,7 +241,7 @@ TEST(SolidCase, coupled_run_under_constant_forces_gives_the_motion_of_the_same_t
     const std::string load = "  - {face: right, traction: [0, 1, 0]}\n";
     text.replace(text.find("loads:\n" + load), 7 + load.size(), "");
     text += "coupling: {interface: [right]}\n";
-    coupling::Interface fluid;
+    channel::Interface fluid;
     fluid.dimension = 3;
     fluid.name = "structure";
     const int n = 4; // faces along each side

@@ -10,7 +10,7 @@ namespace {
 
 // For each control point the first one at a pole, or itself.
 std::vector<int> representatives(const geometry::NurbsSurface& surface, double size) {
-    constexpr double tolerance = 1e-10; // of the model's size
+    constexpr double poleTolerance = 1e-10; // of the model's size
     std::vector<int> first(surface.nControlPoints());
     std::iota(first.begin(), first.end(), 0);
     for (geometry::Edge edge : {geometry::Edge::left, geometry::Edge::right, geometry::Edge::bottom,
@@ -18,7 +18,7 @@ std::vector<int> representatives(const geometry::NurbsSurface& surface, double s
         const geometry::BoundaryCurve rim = surface.boundaryCurve(edge);
         const geometry::Points& points = rim.curve.controlPoints();
         const double extent = (points.rowwise() - points.row(0)).rowwise().norm().maxCoeff();
-        if (extent <= tolerance * size) {
+        if (extent <= poleTolerance * size) {
             for (int k : rim.controlPoints) {
                 first[k] = std::min(first[k], first[rim.controlPoints[0]]);
             }

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coupling/block/BlockQuasiNewton.hpp"
+
+#include "common/errors.hpp"
+#include "coupling/block/BlockSystem.hpp"
+#include "coupling/step/StateReader.hpp"
+#include "coupling/step/StateWriter.hpp"
+
+#include <cassert>
+#include <cmath>
+
+namespace tokay::coupling {
+
+using Eigen::VectorXd;
+
+namespace {
+
+/// Fraction of the coupling's tolerance that Newton's method may leave.
+constexpr double newtonFraction = 0.1;
+
+} // namespace
+
+BlockQuasiNewton::BlockQuasiNewton(const CouplingOptions& options, double tolerance,
+                                   LinearisedStructure& structure)
+    : options_(options), criteria_(options, tolerance), structure_(structure),
+      predictor_(options.extrapolation, structure.acceptedUnknowns()), model_(options),
+      lag_(options.fluidMemory, options.memoryContrast), now_(at(structure.acceptedUnknowns())),
+      next_(now_) {}
+
+BlockQuasiNewton::InterfaceState BlockQuasiNewton::at(const VectorXd& d) const {
+    return {d, structure_.displacements(d)};
+}
+
+const VectorXd& BlockQuasiNewton::predict(double deltaT) {
+    assert(deltaT > 0);
+    deltaT_ = deltaT;
+    statistics_ = {};
+    criteria_.beginTimeStep();
+    lag_.beginTimeStep();
+    previousX_.resize(0);
+    if (deltaTOfModel_ > 0 && deltaTOfModel_ != deltaT) {
+        // Forces of the fluid's inertia belong to accelerations: they go as x / Δt².
+        model_.scale(std::pow(deltaTOfModel_ / deltaT, 2));
+    }
+    deltaTOfModel_ = deltaT;
+    model_.beginTimeStep();
+    next_ = at(predictor_.predict(deltaT));
+    now_ = next_;
+    return next_.x;
+}
+
+CouplingIteration BlockQuasiNewton::iterate(const VectorXd& faceForces, double fluidResidual) {
+    assert(deltaT_ > 0 && std::isfinite(fluidResidual));
+    now_ = next_;
+    const VectorXd loads = lag_.corrected(structure_.loads(faceForces, now_.d));
+    learn(loads, fluidResidual);
+    const double residual = criteria_.residual(now_.x, newtonPrediction(loads), faceForces);
+    next_ = nextState(loads);
+    statistics_.add(residual, criteria_.tolerance(), model_.matrix().rank());
+    return {next_.x, residual, statistics_.converged};
+}
+
+void BlockQuasiNewton::learn(const VectorXd& loads, double fluidResidual) {
+    if (previousX_.size() != 0 && lag_.isInformative()) {
+        // A move within the fluid's own error teaches little but its drift.
+        const double noise = options_.signalToNoise * fluidResidual * now_.x.norm();
+        model_.learn(now_.x - previousX_, loads - previousLoads_, noise);
+    }
+    previousX_ = now_.x;
+    previousLoads_ = loads;
+}
+
+/// Displacement under these loads by one step of Newton's method, which is
+/// enough to tell how far the present one is from it.
+VectorXd BlockQuasiNewton::newtonPrediction(const VectorXd& loads) const {
+    structure_.linearise(now_.d);
+    const VectorXd imbalance = loads - structure_.residual(now_.d);
+    return now_.x + structure_.variations(structure_.responses(imbalance));
+}
+
+/// Where the structure is in balance with a fluid that responds to it by J.
+BlockQuasiNewton::InterfaceState BlockQuasiNewton::nextState(const VectorXd& loads) {
+    const auto solve = [&] {
+        const BlockSystem system(structure_, loads, now_.x, model_.matrix());
+        return system.solve(now_.d, newtonFraction * criteria_.tolerance());
+    };
+    if (!model_.isEmpty()) {
+        try {
+            return at(solve());
+        } catch (const SolverError&) {
+            // In such a fluid there is no solution, so it has been learned wrongly.
+            model_.reset();
+        }
+    }
+    return at(now_.d + options_.initialRelaxation * (solve() - now_.d));
+}
+
+CouplingIteration BlockQuasiNewton::accept(const VectorXd& finalForces) {
+    assert(deltaT_ > 0);
+    // Loads as they are: the final corrector has had the displacement of the one before.
+    const VectorXd loads = structure_.loads(finalForces, now_.d);
+    const VectorXd move = nextState(loads).x - now_.x;
+    const VectorXd d = structure_.solveFor(loads + model_.matrix().apply(move, loads.size()));
+    const VectorXd xTilde = structure_.displacements(d);
+    const double residual = criteria_.displacementResidual(now_.x, xTilde);
+    model_.acceptTimeStep();
+    predictor_.accept(d, deltaT_);
+    deltaT_ = 0;
+    return {xTilde, residual, residual < criteria_.tolerance()};
+}
+
+void BlockQuasiNewton::reject() {
+    model_.rejectTimeStep();
+    lag_.rejectTimeStep();
+    deltaT_ = 0;
+}
+
+void BlockQuasiNewton::save(StateWriter& state) const {
+    predictor_.save(state);
+    state.number(deltaTOfModel_);
+    model_.save(state);
+    lag_.save(state);
+}
+
+void BlockQuasiNewton::restore(StateReader& state) {
+    predictor_.restore(state, Predictor::Values::ofStructure);
+    deltaTOfModel_ = state.number();
+    model_.restore(state);
+    lag_.restore(state);
+}
+
+} // namespace tokay::coupling

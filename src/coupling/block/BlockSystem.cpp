@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coupling/block/BlockSystem.hpp"
+
+#include "common/errors.hpp"
+
+#include <Eigen/LU>
+
+namespace tokay::coupling {
+namespace {
+
+constexpr int maxIterations = 40;
+
+/// What is left of the imbalance is rounding error (a linear structure gets
+/// there in one step, and need not be factored again to notice).
+constexpr double rounding = 1e-11;
+
+} // namespace
+
+BlockSystem::BlockSystem(LinearisedStructure& structure, const Eigen::VectorXd& loads,
+                         const Eigen::VectorXd& xOfLoads, LowRankMatrix J)
+    : structure_(structure), loads_(loads), xOfLoads_(xOfLoads), J_(std::move(J)) {}
+
+/// L(x(d)) - R(d)
+Eigen::VectorXd BlockSystem::imbalance(const Eigen::VectorXd& d) const {
+    const Eigen::VectorXd move = structure_.displacements(d) - xOfLoads_;
+    return loads_ + J_.apply(move, loads_.size()) - structure_.residual(d);
+}
+
+Eigen::VectorXd BlockSystem::newtonStep(const Eigen::VectorXd& imbalance) const {
+    Eigen::VectorXd step = structure_.responses(imbalance);
+    if (J_.rank() == 0) {
+        return step;
+    }
+    const Eigen::MatrixXd Z = structure_.responses(J_.A());
+    const Eigen::MatrixXd coefficients = J_.B().transpose() * structure_.variations(Z);
+    const Eigen::VectorXd driven = J_.B().transpose() * structure_.variations(step);
+    const Eigen::Index r = J_.rank();
+    step += Z * (Eigen::MatrixXd::Identity(r, r) - coefficients).partialPivLu().solve(driven);
+    return step;
+}
+
+Eigen::VectorXd BlockSystem::solve(Eigen::VectorXd d, double tolerance) const {
+    Eigen::VectorXd current = imbalance(d);
+    const double start = current.norm();
+    for (int iteration = 0; iteration < maxIterations; ++iteration) {
+        if (current.norm() <= rounding * start) {
+            return d;
+        }
+        structure_.linearise(d);
+        const Eigen::VectorXd step = newtonStep(current);
+        double length = 1;
+        Eigen::VectorXd next = d + step;
+        Eigen::VectorXd nextImbalance = imbalance(next);
+        while (!(nextImbalance.norm() <= (1 - 1e-4 * length) * current.norm()) && length > 1e-3 &&
+               !(length * step.norm() <= tolerance * next.norm())) {
+            length /= 2;
+            next = d + length * step;
+            nextImbalance = imbalance(next);
+        }
+        if (!nextImbalance.allFinite()) {
+            break;
+        }
+        d = next;
+        current = nextImbalance;
+        if (length * step.norm() <= tolerance * d.norm()) {
+            return d;
+        }
+    }
+    throw SolverError("the structural solution in the fluid was not found in " +
+                      std::to_string(maxIterations) +
+                      " iterations of Newton's method: use smaller time steps");
+}
+
+} // namespace tokay::coupling

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "coupling/history/LowRankMatrix.hpp"
+#include "coupling/step/CouplingOptions.hpp"
+#include "coupling/step/StepHistory.hpp"
+
+namespace tokay::coupling {
+
+/// A Jacobian J learned from noisy differences v -> w and carried from step to
+/// step. P, the identity at the start of a step, says in which directions of v
+/// the step has observed nothing yet; a difference whose noise is λ, in units of
+/// v, enters as
+///   J += (w - J v) gᵀ,  P -= P v gᵀ,  g = P v / (vᵀ P v + λ²).
+/// Without noise that is the multi-vector method: of all matrices that satisfy
+/// the differences of the step the nearest to the last step's. J is compressed
+/// whenever its rank exceeds largestRank, so that time and memory stay bounded.
+/// Source: Ljung 1999, System Identification, 2nd edition, section 11.2
+/// (recursive least squares as a Kalman filter).
+class ResponseModel : public StepHistory {
+  public:
+    /// Uses filterLimit, the least noise of a difference over the part of it that
+    /// the step has observed already, and largestRank, rankLimit.
+    explicit ResponseModel(const CouplingOptions& options) : options_(options) {}
+
+    void beginTimeStep() override;
+
+    void learn(const Eigen::VectorXd& v, const Eigen::VectorXd& w, double noise);
+
+    /// Nothing has been learned yet: J is zero.
+    bool isEmpty() const { return J_.rank() == 0; }
+
+    const LowRankMatrix& matrix() const { return J_; }
+
+    /// Learns anew: J is zero.
+    void reset() {
+        J_ = {};
+        observed_ = {};
+    }
+
+    void acceptTimeStep() override;
+    void rejectTimeStep() override { J_ = atBegin_; }
+    void save(StateWriter& state) const override { J_.save(state); }
+    void restore(StateReader& state) override {
+        J_.restore(state, LowRankMatrix::Rows::ofStructure);
+    }
+
+    /// Multiplies J, e.g. when the time step changes.
+    void scale(double factor) { J_.scale(factor); }
+
+  private:
+    CouplingOptions options_;
+    LowRankMatrix J_;
+    LowRankMatrix atBegin_;  ///< J, restored if the step is rejected
+    LowRankMatrix observed_; ///< 1 - P
+};
+
+} // namespace tokay::coupling

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "coupling/history/LowRankMatrix.hpp"
+
+#include "coupling/step/StateReader.hpp"
+#include "coupling/step/StateWriter.hpp"
+
+#include <Eigen/QR>
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <cassert>
+
+namespace tokay::coupling {
+namespace {
+
+struct ThinQr {
+    Eigen::MatrixXd Q; ///< nRows x min(nRows, nColumns)
+    Eigen::MatrixXd R;
+};
+
+ThinQr thinQr(const Eigen::MatrixXd& matrix) {
+    const Eigen::Index n = std::min(matrix.rows(), matrix.cols());
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(matrix);
+    return {qr.householderQ() * Eigen::MatrixXd::Identity(matrix.rows(), n),
+            qr.matrixQR().topRows(n).triangularView<Eigen::Upper>()};
+}
+
+Eigen::MatrixXd beside(const Eigen::MatrixXd& left, const Eigen::MatrixXd& right) {
+    Eigen::MatrixXd both(right.rows(), left.cols() + right.cols());
+    both.leftCols(left.cols()) = left;
+    both.rightCols(right.cols()) = right;
+    return both;
+}
+
+} // namespace
+
+void LowRankMatrix::append(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
+    assert(A.cols() == B.cols());
+    assert(rank() == 0 || (A.rows() == A_.rows() && B.rows() == B_.rows()));
+    if (rank() == 0) {
+        A_ = A;
+        B_ = B;
+    } else {
+        A_ = beside(A_, A);
+        B_ = beside(B_, B);
+    }
+}
+
+void LowRankMatrix::compress(int largestRank, double relativeLimit) {
+    if (rank() == 0) {
+        return;
+    }
+    const ThinQr a = thinQr(A_);
+    const ThinQr b = thinQr(B_);
+    const Eigen::BDCSVD<Eigen::MatrixXd> svd(a.R * b.R.transpose(),
+                                             Eigen::ComputeThinU | Eigen::ComputeThinV);
+    const Eigen::VectorXd& values = svd.singularValues();
+    Eigen::Index n = 0;
+    while (n < values.size() && n < largestRank && values[n] > relativeLimit * values[0]) {
+        ++n;
+    }
+    A_ = a.Q * svd.matrixU().leftCols(n) * values.head(n).asDiagonal();
+    B_ = b.Q * svd.matrixV().leftCols(n);
+}
+
+void LowRankMatrix::limitRank(int largestRank, double relativeLimit) {
+    const auto full = static_cast<int>(std::min(A_.rows(), B_.rows()));
+    if (rank() > std::min(largestRank, 2 * full)) {
+        compress(largestRank / 2, relativeLimit);
+    }
+}
+
+void LowRankMatrix::save(StateWriter& state) const {
+    state.matrix(A_);
+    state.matrix(B_);
+}
+
+void LowRankMatrix::restore(StateReader& state, Rows rows) {
+    A_ = rows == Rows::ofInterface ? state.interfaceMatrix() : state.matrix();
+    B_ = state.interfaceMatrix();
+    if (A_.cols() != B_.cols()) {
+        throw channel::PeerError("the factors of a Jacobian do not fit each other");
+    }
+}
+
+Eigen::VectorXd LowRankMatrix::apply(const Eigen::VectorXd& v, Eigen::Index nRows) const {
+    if (rank() == 0) {
+        return Eigen::VectorXd::Zero(nRows);
+    }
+    return A_ * (B_.transpose() * v);
+}
+
+} // namespace tokay::coupling

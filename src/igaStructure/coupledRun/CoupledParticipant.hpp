@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "channel/messages.hpp"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <string>
+
+namespace tokay::structure {
+
+/// What the structure's side returns for forces.
+struct StructureResponse {
+    Eigen::VectorXd displacements; ///< of the fluid's points [m]
+    double residual = 1;           ///< of the coupling, to be below the fluid's tolerance
+    bool converged = false;
+    std::string failure = {}; ///< why the step has no solution; empty: it has one
+    std::optional<channel::InterfaceBalance> balance{}; ///< of an accepted step, if wanted
+};
+
+/// The structure's side of a coupled run, as the session with the fluid sees it.
+class CoupledParticipant {
+  public:
+    virtual ~CoupledParticipant() = default;
+
+    /// @return  predicted displacements of the fluid's points [m]
+    virtual Eigen::VectorXd beginTimeStep(int step, double time, double deltaT) = 0;
+
+    /// @param faceForces     on the fluid's faces, finite
+    /// @param fluidResidual  initial residual of its momentum equation
+    virtual StructureResponse iterate(const Eigen::VectorXd& faceForces, double fluidResidual) = 0;
+
+    /// The step ends with these forces.
+    /// @param writeResults  now
+    virtual StructureResponse acceptTimeStep(const Eigen::VectorXd& finalForces,
+                                             bool writeResults) = 0;
+
+    /// Takes the step back; it begins again, shorter.
+    virtual void rejectTimeStep() = 0;
+};
+
+} // namespace tokay::structure

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "igaStructure/coupledRun/CoupledSession.hpp"
+
+#include "channel/PeerError.hpp"
+#include "channel/encoding.hpp"
+#include "common/errors.hpp"
+#include "igaStructure/case/makeBody.hpp"
+#include "igaStructure/kinematics/Coupling.hpp"
+#include "igaStructure/coupledRun/FsiParticipant.hpp"
+#include "igaStructure/coupledRun/PrescribedStructure.hpp"
+#include "igaStructure/run/describeModel.hpp"
+#include "igaStructure/run/requireSupports.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace tokay::structure {
+
+using channel::BeginStep;
+using channel::Forces;
+using channel::Goodbye;
+using channel::PeerError;
+using channel::State;
+using Eigen::VectorXd;
+
+namespace {
+
+std::string describeInterface(const channel::Interface& fluid, const WetBoundary& boundary) {
+    return fmt::format("interface {}: {} points, {} faces; from {:g} s to {:g} s, tolerance {:g}\n",
+                       fluid.name, boundary.nPoints(), boundary.nFaces(), fluid.startTime,
+                       fluid.endTime, fluid.tolerance);
+}
+
+std::string text(const VectorXd& components) {
+    return fmt::format("({:.6g})", fmt::join(components, ", "));
+}
+
+Eigen::Map<const VectorXd> asVector(const std::vector<double>& values) {
+    return {values.data(), static_cast<Eigen::Index>(values.size())};
+}
+
+/// The place where forces are checked: inside they are finite, and one per face.
+void requireUsable(const Forces& forces, const WetBoundary& boundary) {
+    const int dimension = boundary.dimension();
+    if (forces.values.size() != static_cast<std::size_t>(dimension) * boundary.nFaces()) {
+        throw PeerError(fmt::format("the fluid sent {} force components for {} faces",
+                                    forces.values.size(), boundary.nFaces()));
+    }
+    for (int face = 0; face < boundary.nFaces(); ++face) {
+        const VectorXd force = asVector(forces.values).segment(dimension * face, dimension);
+        if (!force.allFinite()) {
+            throw PeerError(fmt::format(
+                "the fluid's force on face {} at {} is not finite: {}; the flow has diverged", face,
+                text(boundary.faceCentre(face)), text(force)));
+        }
+    }
+    if (!std::isfinite(forces.fluidResidual)) {
+        throw PeerError(
+            fmt::format("the fluid's residual is {}; the flow has diverged", forces.fluidResidual));
+    }
+}
+
+} // namespace
+
+CoupledSession::CoupledSession(const Case& structureCase, FluidLink& link,
+                               const CoupledRunOptions& options, Report report)
+    : case_(structureCase), link_(link), options_(options), report_(std::move(report)),
+      body_(makeBody(structureCase)) {}
+
+void CoupledSession::run() {
+    report_(describeModel(case_, *body_));
+    requireSupports(case_, body_->model());
+    start();
+    while (const std::optional<BeginStep> begin = nextStep()) {
+        advance(*begin);
+    }
+}
+
+void CoupledSession::start() {
+    const auto fluid = link_.receive<channel::Interface>("the fluid's interface");
+    fluidRetries_ = fluid.retries;
+    boundary_.emplace(*body_, *case_.coupling, fluid);
+    if (options_.replayFile.empty()) {
+        participant_ =
+            std::make_unique<FsiParticipant>(case_, *body_, *boundary_, fluid, timer_, report_);
+    } else {
+        participant_ = std::make_unique<PrescribedStructure>(
+            DisplacementRecord(options_.replayFile, boundary_->nComponents()), report_);
+    }
+    if (!options_.recordFile.empty()) {
+        recorder_.emplace(options_.recordFile, fluid.startTime);
+    }
+    std::string text = describeCoupling(*case_.coupling) + describeInterface(fluid, *boundary_) +
+                       boundary_->report();
+    if (case_.timeSteps) {
+        text += "note: time steps and end come from the fluid; the case's time.step and time.end "
+                "are not used\n";
+    }
+    report_(text);
+    link_.send(channel::Accepted{describeModel(case_, *body_) + text});
+}
+
+// The next step, or none if the fluid says goodbye.
+std::optional<BeginStep> CoupledSession::nextStep() {
+    const channel::Message message =
+        receive(fmt::format("the fluid's next time step, after step {}", step_));
+    if (const auto* goodbye = std::get_if<Goodbye>(&message)) {
+        report_("the fluid ends the run: " + goodbye->reason);
+        link_.send(Goodbye{"all results are written"});
+        return std::nullopt;
+    }
+    if (const auto* begin = std::get_if<BeginStep>(&message)) {
+        return *begin;
+    }
+    throw PeerError(fmt::format("protocol error: expected BeginStep, received {}",
+                                channel::typeName(message.index())));
+}
+
+void CoupledSession::advance(const BeginStep& begin) {
+    step_ = static_cast<int>(begin.step);
+    time_ = begin.time;
+    if (!(begin.deltaT > 0)) {
+        throw PeerError(
+            fmt::format("the fluid's time step {} has a length of {} s", step_, begin.deltaT));
+    }
+    send(State::iterate, {participant_->beginTimeStep(step_, begin.time, begin.deltaT)});
+    while (const std::optional<Forces> forces = nextForces()) {
+        const StructureResponse response = respondTo(*forces);
+        if (!response.failure.empty()) {
+            send(State::rejected, response);
+        } else if (!forces->final) {
+            send(response.converged ? State::converged : State::iterate, response);
+        } else {
+            if (recorder_) {
+                recorder_->add(time_, response.displacements);
+            }
+            send(State::accepted, response);
+            return;
+        }
+    }
+    participant_->rejectTimeStep();
+}
+
+// The next forces, or none if the fluid rejects the step.
+std::optional<Forces> CoupledSession::nextForces() {
+    channel::Message message = receive(fmt::format("the fluid's forces, step {}", step_));
+    if (const auto* rejection = std::get_if<channel::RejectStep>(&message)) {
+        report_(
+            fmt::format("step {} time {:.6g} s is rejected: {}", step_, time_, rejection->reason));
+        return std::nullopt;
+    }
+    if (auto* forces = std::get_if<Forces>(&message)) {
+        requireUsable(*forces, *boundary_);
+        return std::move(*forces);
+    }
+    throw PeerError(fmt::format("protocol error: expected Forces, received {}",
+                                channel::typeName(message.index())));
+}
+
+// A step without a solution is no end if the fluid tries it again.
+StructureResponse CoupledSession::respondTo(const Forces& forces) {
+    try {
+        const VectorXd faceForces = asVector(forces.values);
+        return forces.final ? participant_->acceptTimeStep(faceForces, forces.write)
+                            : participant_->iterate(faceForces, forces.fluidResidual);
+    } catch (const SolverError& error) {
+        if (!fluidRetries_) {
+            throw;
+        }
+        StructureResponse response;
+        response.failure = error.what();
+        return response;
+    }
+}
+
+channel::Message CoupledSession::receive(const std::string& waitingFor) {
+    const auto timed = timer_.enter(Phase::waiting);
+    return link_.receive(waitingFor);
+}
+
+void CoupledSession::send(State state, const StructureResponse& response) {
+    const VectorXd& values = response.displacements;
+    link_.send(channel::Displacements{state,
+                                      response.residual,
+                                      {values.data(), values.data() + values.size()},
+                                      response.failure,
+                                      response.balance});
+}
+
+} // namespace tokay::structure

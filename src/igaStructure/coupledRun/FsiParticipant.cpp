@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "igaStructure/coupledRun/FsiParticipant.hpp"
+
+#include "coupling/couplingMethods.hpp"
+#include "coupling/step/StateReader.hpp"
+#include "coupling/step/StateWriter.hpp"
+#include "igaStructure/coupledRun/interfaceBalance.hpp"
+
+#include <fmt/format.h>
+
+namespace tokay::structure {
+
+using Eigen::VectorXd;
+
+FsiParticipant::FsiParticipant(const Case& structureCase, Body& body, const WetBoundary& boundary,
+                               const channel::Interface& fluid, PhaseTimer& timer,
+                               const Report& report)
+    : case_(structureCase), boundary_(boundary), timer_(timer),
+      integrator_(body.model(), *structureCase.implicitScheme(), structureCase.newton, fluid.startTime,
+                  structureCase.coupling->substeps),
+      structure_(body.model(), integrator_, boundary, timer), audits_(fluid.audit) {
+    const std::optional<StartState> start =
+        findStartState(structureCase, body.model().nUnknowns(), boundary.points(), fluid);
+    if (start) {
+        integrator_.restore(start->saved.motion, start->saved.energies);
+    }
+    method_ = makeCouplingMethod(structureCase.coupling->options, fluid.tolerance, structure_);
+    if (start) {
+        report(fmt::format("restarting from the saved state at t = {:.9g} s\n",
+                           start->saved.motion.time));
+        restoreMethod(*start, report);
+    }
+    output_ = std::make_unique<RunOutput>(structureCase, body, integrator_.state(), fluid.endTime,
+                                          report);
+    if (start) {
+        output_->continueEarlier();
+    }
+}
+
+void FsiParticipant::restoreMethod(const StartState& start, const Report& report) {
+    if (start.components.empty()) {
+        report("note: the fluid's interface has another mesh than the saved state's; predictor and "
+               "acceleration history are reset\n");
+        return;
+    }
+    coupling::StateReader state(start.saved.coupling);
+    state.renumberInterface(start.components);
+    if (state.text() == method_->name()) {
+        method_->restore(state);
+    } else {
+        report("note: the saved state used another acceleration; predictor and acceleration "
+               "history are reset\n");
+    }
+}
+
+// A run that continues from there has no tangent either.
+void FsiParticipant::save() {
+    const auto timed = timer_.enter(Phase::output);
+    SavedState state{case_.digest,       integrator_.state(), integrator_.energies(),
+                     boundary_.points(), method_->x(),        {}};
+    coupling::StateWriter write(state.coupling);
+    write.text(method_->name());
+    method_->save(write);
+    stateFolder(case_).add(state);
+    integrator_.dropTangent();
+}
+
+VectorXd FsiParticipant::beginTimeStep(int step, double time, double deltaT) {
+    const auto timed = timer_.enter(Phase::acceleration);
+    report_ = {};
+    report_.step = step;
+    deltaT_ = deltaT;
+    structure_.beginTimeStep(time, deltaT);
+    return method_->predict(deltaT);
+}
+
+StructureResponse FsiParticipant::iterate(const VectorXd& faceForces, double fluidResidual) {
+    const auto timed = timer_.enter(Phase::acceleration);
+    ++report_.nExchanges;
+    const coupling::CouplingIteration iteration = method_->iterate(faceForces, fluidResidual);
+    return {iteration.x, iteration.residual, iteration.converged};
+}
+
+StructureResponse FsiParticipant::acceptTimeStep(const VectorXd& finalForces, bool writeResults) {
+    const VectorXd before = integrator_.state().displacement;
+    const coupling::CouplingIteration last = accept(finalForces);
+    if (writeResults) {
+        save();
+    }
+    output_->finishStep(report_, integrator_.state(), integrator_.energies(), timer_, writeResults);
+    StructureResponse response{last.x, last.residual, true};
+    if (audits_) {
+        response.balance = interfaceBalance(boundary_, {finalForces, before, structure_.mappedAt(),
+                                                        integrator_.state().displacement, deltaT_});
+    }
+    return response;
+}
+
+coupling::CouplingIteration FsiParticipant::accept(const VectorXd& finalForces) {
+    const auto timed = timer_.enter(Phase::acceleration);
+    const coupling::CouplingIteration last = method_->accept(finalForces);
+    integrator_.acceptTimeStep();
+    ++report_.nExchanges;
+    report_.firstResidual = method_->statistics().firstResidual;
+    report_.lastResidual = last.residual;
+    report_.nColumns = method_->statistics().nColumns;
+    report_.nIterations = structure_.nIterations();
+    return last;
+}
+
+void FsiParticipant::rejectTimeStep() {
+    integrator_.rejectTimeStep();
+    method_->reject();
+}
+
+} // namespace tokay::structure

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "channel/messages.hpp"
+#include "igaStructure/case/Case.hpp"
+#include "igaStructure/coupledRun/restart/StateFolder.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace tokay::structure {
+
+/// Where a coupled run restarts from.
+struct StartState {
+    SavedState saved;
+    /// For each component of the interface now its number in the saved state;
+    /// empty if the fluid's mesh at the interface is another one.
+    std::vector<int> components;
+};
+
+/// Where the saved states of a case are.
+StateFolder stateFolder(const Case& structureCase);
+
+/// The saved state that belongs to the fluid's fields at its start time; none
+/// if the fluid starts from an undeformed mesh, and so the structure at rest.
+/// @param points  of the fluid's interface in the reference configuration, n x 3 [m]
+/// @throws InputError if the fluid is deformed and no such state is found
+std::optional<StartState> findStartState(const Case& structureCase, int nUnknowns,
+                                         const geometry::Points& points,
+                                         const channel::Interface& fluid);
+
+} // namespace tokay::structure

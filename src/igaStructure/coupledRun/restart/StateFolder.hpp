@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "igaStructure/coupledRun/restart/SavedState.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tokay::structure {
+
+/// The saved states of a case, a file a time, beside its results.
+class StateFolder {
+  public:
+    /// @param name  of the case, begins the names of the files
+    StateFolder(std::string directory, std::string name)
+        : directory_(std::move(directory)), name_(std::move(name)) {}
+
+    /// Replaces an older state of the same time, whole or not at all.
+    /// @throws OutputError
+    void add(const SavedState& state) const;
+
+    /// The state nearest to a time, if one is within the tolerance [s].
+    /// @throws InputError if its file is damaged
+    std::optional<SavedState> find(double time, double tolerance) const;
+
+    /// Times as the files are named, ascending [s].
+    std::vector<double> times() const;
+
+    const std::string& directory() const { return directory_; }
+
+  private:
+    std::string path(double time) const;
+
+    std::string directory_;
+    std::string name_;
+};
+
+} // namespace tokay::structure

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "GivenSolution.hpp"
+#include "LinearResponse.hpp"
+#include "channel/connectedPair.hpp"
+#include "common/errors.hpp"
+#include "coupling/step/ConvergenceCriteria.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace tokay::coupling {
+namespace {
+
+using channel::errorOf;
+using Eigen::VectorXd;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+const double tolerance = 1e-6;
+
+CouplingOptions iqnIls() {
+    CouplingOptions options;
+    options.acceleration = Acceleration::iqnIls;
+    return options;
+}
+
+LinearResponse exampleResponse() {
+    return addedMass(VectorXd::LinSpaced(4, 0.5, 20));
+}
+
+/// Iterates to convergence, then accepts as a fluid does that stays where it
+/// was in its last coupling iteration.
+void runStep(CouplingMethod& method, const LinearResponse& response, double deltaT) {
+    VectorXd x = method.predict(deltaT);
+    for (int i = 0; i < 50; ++i) {
+        const CouplingIteration iteration = method.iterate(response(x), 0);
+        if (iteration.converged) {
+            break;
+        }
+        x = iteration.x;
+    }
+    ASSERT_TRUE(method.statistics().converged);
+    EXPECT_LT(method.accept(response(x)).residual, tolerance);
+}
+
+TEST(FixedPoint, convergesToTheSolutionOfTheCoupledProblem) {
+    const LinearResponse response = exampleResponse();
+    GivenSolution driver(iqnIls(), tolerance, VectorXd::Zero(4));
+    VectorXd x = driver->predict(0.1);
+    CouplingIteration iteration;
+    while (!iteration.converged) {
+        iteration = driver->iterate(response(x), 0);
+        if (!iteration.converged) {
+            x = iteration.x;
+        }
+    }
+    // x - solution = (1 - A)^-1 (xTilde - x), and |(1 - A)^-1| < 1 here.
+    EXPECT_LT(response.error(x), 2 * tolerance);
+}
+
+TEST(FixedPoint, predictsFromWhatTheStructureAccepted) {
+    const LinearResponse response = exampleResponse();
+    GivenSolution driver(iqnIls(), tolerance, VectorXd::Zero(4));
+    runStep(*driver, response, 0.1);
+    const VectorXd expected = 3 * response.solution(); // linear, the step twice as long
+    EXPECT_LT((driver->predict(0.2) - expected).norm(), 10 * tolerance * expected.norm());
+}
+
+TEST(FixedPoint, aRejectedStepLeavesNoTrace) {
+    const LinearResponse response = exampleResponse();
+    GivenSolution driver(iqnIls(), tolerance, VectorXd::Zero(4));
+    GivenSolution undisturbed(iqnIls(), tolerance, VectorXd::Zero(4));
+    runStep(*driver, response, 0.1);
+    runStep(*undisturbed, response, 0.1);
+    const VectorXd x = driver->predict(0.4);
+    driver->iterate(VectorXd::Constant(4, 1e6), 0);
+    driver->iterate(VectorXd::Constant(4, -1e9), 0);
+    driver->reject();
+    EXPECT_EQ(driver->predict(0.1), undisturbed->predict(0.1));
+    EXPECT_EQ(driver->iterate(2 * x, 0).x, undisturbed->iterate(2 * x, 0).x);
+}
+
+TEST(FixedPoint, finalResidualBelongsToTheDisplacementOfTheLastIteration) {
+    GivenSolution driver(iqnIls(), tolerance, VectorXd::Zero(1));
+    driver->predict(0.1);
+    driver->iterate(VectorXd::Ones(1), 0); // proposes 0.1
+    driver->iterate(VectorXd::Ones(1), 0); // was at 0.1, proposes something else
+    EXPECT_NEAR(driver->accept(VectorXd::Ones(1)).residual, 0.9, 1e-15);
+}
+
+TEST(FixedPoint, acceptsAStepWithoutAnyIteration) {
+    GivenSolution driver(iqnIls(), tolerance, VectorXd::Ones(1));
+    driver->predict(0.1);
+    EXPECT_EQ(driver->accept(VectorXd::Constant(1, 2)).residual, 0.5);
+    EXPECT_EQ(driver->statistics().nIterations, 0);
+}
+
+TEST(FixedPoint, explicitCouplingTakesOneIterationAndDoesNotMoveOn) {
+    CouplingOptions options;
+    options.acceleration = Acceleration::explicitCoupling;
+    GivenSolution driver(options, tolerance, VectorXd::Ones(1));
+    driver->predict(0.1);
+    const CouplingIteration iteration = driver->iterate(VectorXd::Constant(1, 2), 0);
+    EXPECT_TRUE(iteration.converged);
+    EXPECT_EQ(iteration.residual, 0);
+    EXPECT_EQ(iteration.x[0], 1);
+    EXPECT_EQ(driver->statistics().lastResidual, 0.5); // what it really was
+    EXPECT_FALSE(driver->statistics().converged);
+    driver->accept(VectorXd::Constant(1, 2));
+    EXPECT_EQ(driver->predict(0.1)[0], 3);
+}
+
+TEST(FixedPoint, countsIterationsAndResidualsOfEachStep) {
+    const LinearResponse response = exampleResponse();
+    GivenSolution driver(iqnIls(), tolerance, VectorXd::Zero(4));
+    runStep(*driver, response, 0.1);
+    EXPECT_GE(driver->statistics().nIterations, 6); // four unknowns, and one to notice
+    EXPECT_EQ(driver->statistics().firstResidual, 1);
+    EXPECT_LT(driver->statistics().lastResidual, tolerance);
+    EXPECT_GT(driver->statistics().nColumns, 0);
+    driver->predict(0.1);
+    EXPECT_EQ(driver->statistics().nIterations, 0);
+}
+
+TEST(FixedPoint, aStructuralSolutionThatIsNotFiniteIsAnError) {
+    GivenSolution driver(iqnIls(), tolerance, VectorXd::Zero(3));
+    driver->predict(0.1);
+    const VectorXd xTilde(Eigen::Vector3d(1, 1, std::nan("")));
+    EXPECT_THROW(driver->iterate(xTilde, 0), SolverError);
+    EXPECT_THROW(driver->accept(xTilde), SolverError);
+}
+
+TEST(ConvergenceCriteria, residualIsRelativeToTheDisplacement) {
+    ConvergenceCriteria criteria(CouplingOptions(), tolerance);
+    const VectorXd x = VectorXd::Constant(7, 3);
+    EXPECT_NEAR(criteria.residual(x, 1.01 * x, {}), 0.01 / 1.01, 1e-14);
+    EXPECT_NEAR(criteria.residual(1e-9 * x, 1.01e-9 * x, {}), 0.01 / 1.01, 1e-14);
+}
+
+TEST(ConvergenceCriteria, aStructureAtRestHasConverged) {
+    ConvergenceCriteria criteria(CouplingOptions(), tolerance);
+    EXPECT_EQ(criteria.residual(VectorXd::Zero(2), VectorXd::Zero(2), {}), 0);
+    EXPECT_EQ(criteria.residual(VectorXd::Zero(2), VectorXd::Ones(2), {}), 1);
+    EXPECT_EQ(criteria.residual(VectorXd::Ones(2), VectorXd::Zero(2), {}), 1);
+}
+
+TEST(ConvergenceCriteria, absoluteFloorIsReachedExactlyAtTheTolerance) {
+    CouplingOptions options;
+    options.absoluteDisplacement = 1e-3;
+    ConvergenceCriteria criteria(options, tolerance);
+    const auto residualOf = [&](double difference) {
+        return criteria.residual(VectorXd::Zero(5), VectorXd::Constant(5, difference), {});
+    };
+    EXPECT_LT(residualOf(0.99e-3), tolerance);
+    EXPECT_GT(residualOf(1.01e-3), tolerance);
+}
+
+TEST(ConvergenceCriteria, forceMustHoldStillToo) {
+    CouplingOptions options;
+    options.relativeForce = 1e-3;
+    ConvergenceCriteria criteria(options, tolerance);
+    const VectorXd x = VectorXd::Ones(2);
+    const VectorXd forces = VectorXd::Constant(3, 10);
+    criteria.beginTimeStep();
+    EXPECT_EQ(criteria.residual(x, x, forces), 1) << "no earlier force to compare with";
+    EXPECT_LT(criteria.residual(x, x, 1.0009 * forces), tolerance);
+    EXPECT_GT(criteria.residual(x, x, 1.0030 * forces), tolerance);
+    criteria.beginTimeStep();
+    EXPECT_EQ(criteria.residual(x, x, forces), 1) << "forces of another step do not count";
+}
+
+TEST(ConvergenceCriteria, toleranceOutOfItsRangeIsRefused) {
+    for (const double wrong : {0.0, -1e-4, 1.1, std::nan("")}) {
+        EXPECT_THROW(ConvergenceCriteria(CouplingOptions(), wrong), InputError) << wrong;
+    }
+}
+
+TEST(CouplingOptions, defaultsAreValid) {
+    EXPECT_NO_THROW(requireValid(CouplingOptions()));
+}
+
+TEST(CouplingOptions, valueOutOfItsRangeIsRefusedByNameAndValue) {
+    const auto expectRefusal = [](const char* name, auto CouplingOptions::*member, double value) {
+        CouplingOptions options;
+        options.*member = static_cast<std::decay_t<decltype(options.*member)>>(value);
+        EXPECT_THAT(
+            errorOf<InputError>([&] { GivenSolution(options, tolerance, VectorXd::Zero(1)); }),
+            AllOf(HasSubstr(name), HasSubstr("must be")))
+            << value;
+    };
+    expectRefusal("relaxation is 0", &CouplingOptions::relaxation, 0);
+    expectRefusal("initialRelaxation is 2.5", &CouplingOptions::initialRelaxation, 2.5);
+    expectRefusal("smallestRelaxation is -1", &CouplingOptions::smallestRelaxation, -1);
+    expectRefusal("largestRelaxation is 0.001", &CouplingOptions::largestRelaxation, 0.001);
+    expectRefusal("reusedTimeSteps is -1", &CouplingOptions::reusedTimeSteps, -1);
+    expectRefusal("largestColumns is 0", &CouplingOptions::largestColumns, 0);
+    expectRefusal("largestRank is 1", &CouplingOptions::largestRank, 1);
+    expectRefusal("rankLimit is 1", &CouplingOptions::rankLimit, 1);
+    expectRefusal("filterLimit is 1", &CouplingOptions::filterLimit, 1);
+    expectRefusal("signalToNoise is -1", &CouplingOptions::signalToNoise, -1);
+    expectRefusal("largestStep is nan", &CouplingOptions::largestStep, std::nan(""));
+    expectRefusal("keepFraction is 1", &CouplingOptions::keepFraction, 1);
+    expectRefusal("fluidMemory is 1", &CouplingOptions::fluidMemory, 1);
+    expectRefusal("memoryContrast is -1", &CouplingOptions::memoryContrast, -1);
+    expectRefusal("absoluteDisplacement is inf", &CouplingOptions::absoluteDisplacement,
+                  std::numeric_limits<double>::infinity());
+    expectRefusal("relativeForce is -1", &CouplingOptions::relativeForce, -1);
+    expectRefusal("absoluteForce is -1", &CouplingOptions::absoluteForce, -1);
+}
+
+} // namespace
+} // namespace tokay::coupling
