@@ -3,7 +3,7 @@
 
 #include "common/errors.hpp"
 
-#include <yaml-cpp/node/node.h>
+#include <yaml-cpp/yaml.h>
 
 #include <string>
 #include <vector>

@@ -14,7 +14,7 @@ BrepModel twoSquares(double gap) {
         {TrimmingLoop::around({{0, 0}, {1, 1}}), circleLoop(LoopKind::inner, {0.5, 0.5}, 0.25)},
         "left");
     const TrimmedPatch right(rectangle(Point(1, 0, gap), 1, 1), "right");
-    const std::vector<BrepFace> faces = {{left}, {right, true}};
+    const std::vector<BrepFace> faces = {{left}, {right}};
     return BrepModel(faces, coincidentEdges(faces, 1.1 * gap + 1e-9), 1e-6);
 }
 

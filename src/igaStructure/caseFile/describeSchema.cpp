@@ -57,10 +57,10 @@ class ValueText {
   public:
     explicit ValueText(const Entry& entry) : entry_(entry) {}
 
-    std::string operator()(const double* value) const { return fmt::format("{:g}", *value); }
-    std::string operator()(const int* value) const { return fmt::format("{}", *value); }
-    std::string operator()(const bool* value) const { return *value ? "yes" : "no"; }
-    std::string operator()(const std::string* value) const { return *value; }
+    std::string operator()(double* value) const { return fmt::format("{:g}", *value); }
+    std::string operator()(int* value) const { return fmt::format("{}", *value); }
+    std::string operator()(bool* value) const { return *value ? "yes" : "no"; }
+    std::string operator()(std::string* value) const { return *value; }
     std::string operator()(const ChoiceSlot& slot) const { return words(entry_, slot.get()); }
     template <class Other>
     std::string operator()(const Other&) const {

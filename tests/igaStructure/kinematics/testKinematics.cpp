@@ -172,6 +172,6 @@ TEST_P(EachKinematics, fieldsAreFiniteAndHaveTheirComponents) {
     EXPECT_EQ(names.size(), body->fields().size());
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EachKinematics, testing::ValuesIn(members()), [](const auto& info) {
-    return info.param.kinematics + "_" + info.param.material + "_" + info.param.strains;
+INSTANTIATE_TEST_SUITE_P(All, EachKinematics, testing::ValuesIn(members()), [](const auto& example) {
+    return example.param.kinematics + "_" + example.param.material + "_" + example.param.strains;
 });

@@ -137,7 +137,7 @@ void Foam::harmonicBasis::setOffsets
             continue;
         }
         const auto conditions(constraints_.conditionsOfCoordinate(axis));
-        const boolList isGiven(constraints_.coordinateIsGiven(axis));
+        const bitSet isGiven(constraints_.coordinateIsGiven(axis));
         const scalarField coordinate
         (
             (constraints_.frame() & points0)().component(axis)

@@ -175,22 +175,22 @@ void Foam::harmonicExtension::setKnown
 ) const
 {
     const fvMesh& mesh = *mesh_;
-    boolList isZero(mesh.nPoints(), false);
-    boolList isGiven(mesh.nPoints(), false);
+    bitSet isZero(mesh.nPoints());
+    bitSet isGiven(mesh.nPoints());
     forAll(conditions, patchi)
     {
         const labelList& points = mesh.boundaryMesh()[patchi].meshPoints();
         if (conditions[patchi] == condition::zero)
         {
-            UIndirectList<bool>(isZero, points) = true;
+            isZero.set(points);
         }
         else if (conditions[patchi] == condition::given)
         {
-            UIndirectList<bool>(isGiven, points) = true;
+            isGiven.set(points);
         }
     }
     // A rank may have a point of a patch and none of its faces
-    syncTools::syncPointList(mesh, isZero, orEqOp<bool>(), false);
+    syncTools::syncPointList(mesh, isZero, orEqOp<unsigned int>(), 0u);
     forAll(values, pointi)
     {
         if (isGiven[pointi])

@@ -418,25 +418,21 @@ Foam::motionConstraints::conditionsOfCoordinate(const direction axis) const
 }
 
 
-Foam::boolList Foam::motionConstraints::coordinateIsGiven
+Foam::bitSet Foam::motionConstraints::coordinateIsGiven
 (
     const direction axis
 ) const
 {
     const fvMesh& mesh = boundary_.mesh();
-    boolList isGiven(mesh.nPoints(), false);
+    bitSet isGiven(mesh.nPoints());
     forAll(planes_, patchi)
     {
         if (planes_[patchi] == axis || periods_[patchi] == axis)
         {
-            UIndirectList<bool>
-            (
-                isGiven,
-                mesh.boundaryMesh()[patchi].meshPoints()
-            ) = true;
+            isGiven.set(mesh.boundaryMesh()[patchi].meshPoints());
         }
     }
-    syncTools::syncPointList(mesh, isGiven, orEqOp<bool>(), false);
+    syncTools::syncPointList(mesh, isGiven, orEqOp<unsigned int>(), 0u);
     return isGiven;
 }
 
