@@ -15,7 +15,7 @@ TEST(Formula, takesPlaceAndTime) {
 
 TEST(Formula, namesItsVariablesWhenOneIsUnknown) {
     expectInputError([] { Formula("x + w", "case.yaml:3: "); },
-                     {"case.yaml:3: formula 'x + w'", "Variables are x, y, z [m] and t [s]."});
+                     {"case.yaml:3: formula 'x + w'", "variables are x, y, z [m] and t [s]"});
 }
 
 TEST(Formula, saysWhereItsValueIsNotFinite) {

@@ -58,7 +58,7 @@ garbage()
 property truncated "a message that is cut off ends the run"
 truncated()
 {
-    misbehave truncated "the structure ended without saying why, while this side waited for the structure's displacements, step 1, corrector 1"
+    misbehave truncated "the structure ended without saying why, while this side waited for the structure's displacements, step 1, outer corrector 1"
 }
 
 property oversized "a message that claims an absurd length ends the run"
@@ -181,7 +181,7 @@ silent()
     coupling structure.silenceInterval 1
     entry system/controlDict endTime 0.02
     runFluid
-    expectText log.pimpleFoam "structureCoupling: waiting for the structure's displacements since 1 s, step 1, corrector 1"
+    expectText log.pimpleFoam "structureCoupling: waiting for the structure's displacements since 1 s, step 1, outer corrector 1"
 }
 
 property otherFault "a structure hears that the fluid has stopped for a reason of its own"

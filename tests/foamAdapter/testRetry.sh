@@ -122,7 +122,7 @@ inverted()
     makeBoth leaps
     inBoth runFluid
     expectSameRun "0.01 0.02 0.03 "
-    expectText long/log.pimpleFoam "cells without a positive volume at time 0.01 s: cell" "with deltaT 0.005 s"
+    expectText long/log.pimpleFoam "cells without a positive volume at time 0.01 s: cell" "retrying with deltaT = 0.005 s"
 }
 
 property backward "so it is with the scheme backward, whose old times are taken back too"

@@ -3,6 +3,5 @@
 #include "tokayMap/files/readVtk.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    return tokay::fuzz::run(
-        [&] { tokay::tool::readVtk(tokay::fuzz::fileOf(data, size, ".vtu")); });
+    return tokay::fuzz::run([&] { tokay::tool::readVtk(tokay::fuzz::fileOf(data, size, ".vtu")); });
 }

@@ -152,13 +152,23 @@ std::string SchemaTables::row(const std::string& path, const Entry& entry, void*
 
 std::string describeOptions(const Schema& schema, void* options) {
     std::vector<std::string> texts;
+    std::string sections;
     for (const Entry* entry : schema.entriesOf(options)) {
+        if (!entry->isSet(options)) {
+            continue;
+        }
+        const Slot slot = entry->slot(options);
+        if (const auto* section = std::get_if<Section>(&slot)) {
+            sections += fmt::format("\n  {} {}", entry->name,
+                                    describeOptions(*section->schema, section->options));
+            continue;
+        }
         const std::string value = valueText(*entry, options);
         if (!value.empty()) {
-            texts.push_back(entry->name + " " + value);
+            texts.push_back(entry->name == "type" ? value : entry->name + " " + value);
         }
     }
-    return fmt::format("{}", fmt::join(texts, ", "));
+    return fmt::format("{}", fmt::join(texts, ", ")) + sections;
 }
 
 } // namespace tokay::structure

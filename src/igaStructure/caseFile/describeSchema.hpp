@@ -26,7 +26,8 @@ class SchemaTables {
     std::string below_; ///< tables of alternatives
 };
 
-/// Values in effect, "maxRank 200, filter qr2": what a log says of options.
+/// Values in effect, "maxRank 200, filter qr2": what a log says of options. Options
+/// inside them have a line each.
 std::string describeOptions(const Schema& schema, void* options);
 
 } // namespace tokay::structure

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "common/Schema.hpp"
 #include "common/LocatedNode.hpp"
+#include "common/Schema.hpp"
 
 #include <string>
 #include <vector>

@@ -5,9 +5,9 @@
 #include "channel/encoding.hpp"
 #include "common/errors.hpp"
 #include "igaStructure/case/makeBody.hpp"
-#include "igaStructure/kinematics/Coupling.hpp"
 #include "igaStructure/coupledRun/FsiParticipant.hpp"
 #include "igaStructure/coupledRun/PrescribedStructure.hpp"
+#include "igaStructure/kinematics/Coupling.hpp"
 #include "igaStructure/run/describeModel.hpp"
 #include "igaStructure/run/requireSupports.hpp"
 

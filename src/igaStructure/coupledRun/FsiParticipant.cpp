@@ -16,8 +16,8 @@ FsiParticipant::FsiParticipant(const Case& structureCase, Body& body, const WetB
                                const channel::Interface& fluid, PhaseTimer& timer,
                                const Report& report)
     : case_(structureCase), boundary_(boundary), timer_(timer),
-      integrator_(body.model(), *structureCase.implicitScheme(), structureCase.newton, fluid.startTime,
-                  structureCase.coupling->substeps),
+      integrator_(body.model(), *structureCase.implicitScheme(), structureCase.newton,
+                  fluid.startTime, structureCase.coupling->substeps),
       structure_(body.model(), integrator_, boundary, timer), audits_(fluid.audit) {
     const std::optional<StartState> start =
         findStartState(structureCase, body.model().nUnknowns(), boundary.points(), fluid);

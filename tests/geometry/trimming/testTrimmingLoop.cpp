@@ -110,7 +110,7 @@ TEST(TrimmingLoop, refusesOpenLoopsAndSaysWhere) {
 TEST(TrimmingLoop, refusesTheWrongDirection) {
     const Polygon corners = {{0, 0}, {1, 0}, {1, 1}};
     expectInputError([&] { polygonLoop(LoopKind::inner, corners); },
-                     {"inner", "counter-clockwise", "Reverse"});
+                     {"inner", "counter-clockwise", "reverse"});
     expectInputError(
         [&] {
             polygonLoop(LoopKind::outer, {corners[0], corners[2], corners[1]});

@@ -120,7 +120,7 @@ TEST(CaseFile, list_of_wrong_length_is_reported) {
 TEST(CaseFile, formula_that_cannot_be_read_is_reported_with_its_place) {
     EXPECT_THAT(mistake("100*y", "100*w"),
                 AllOf(HasSubstr("case.yaml:17:29: loads[0].traction[0]: formula '100*w'"),
-                      HasSubstr("\"w\""), HasSubstr("Variables are x, y, z [m] and t [s]")));
+                      HasSubstr("\"w\""), HasSubstr("variables are x, y, z [m] and t [s]")));
     EXPECT_THAT(mistake("100*y", "sin("), HasSubstr("formula 'sin(' cannot be read"));
 }
 
@@ -149,33 +149,31 @@ TEST(CaseFile, entries_that_exclude_each_other_are_reported) {
                 HasSubstr("geometry: give exactly one of: rectangle, nurbs"));
     EXPECT_THAT(mistake("[2, 3]", "[2, 0]"), HasSubstr("degree[1]: 0 is out of range"));
     EXPECT_THAT(mistake("  strains: linear", "  strains: linear\n  thickness: 2"),
-                HasSubstr("model.thickness: has no meaning with planeStrain"));
+                HasSubstr("model: 'thickness' is not an option of planeStrain; allowed: kinematics, strains"));
     EXPECT_THAT(mistake("planeStrain", "planeStress"),
-                HasSubstr("model: entry 'thickness' is missing: planeStress needs it"));
+                HasSubstr("model: entry 'thickness' is missing: Thickness of the plate"));
     EXPECT_THAT(mistake("traction: [\"100*y\", 0]", "traction: [0]"),
-                HasSubstr("loads[0].traction: must have 2 values here, but has 1"));
+                HasSubstr("loads[0].traction: must have 2 values, but has 1"));
     EXPECT_THAT(mistake("edge: bottom, ", ""),
-                HasSubstr("supports[0]: entry 'edge' is missing: a plane solid is held there"));
+                HasSubstr("supports[0]: entry 'edge' is missing: Constrained edge"));
     EXPECT_THAT(mistake("output:", "coupling: {}\noutput:"),
-                HasSubstr("coupling: entry 'interface' is missing: planeStrain needs"));
+                HasSubstr("coupling: entry 'interface' is missing: Wet edges"));
     EXPECT_THAT(
         mistake("output:", "coupling: {interface: [left], mapping: {type: offset}}\noutput:"),
-        HasSubstr("mapping.type: 'offset' has no meaning with planeStrain, which takes "
-                  "nearestElement"));
+        HasSubstr("mapping.type: 'offset' is not allowed; allowed: nearestElement"));
     EXPECT_THAT(mistake("at: [0, 1]", "at: [0]"),
                 HasSubstr("output.watchPoints[0].at: must be [x, y] or [x, y, z]"));
     EXPECT_THAT(mistake("traction: [\"100*y\", 0]", "gravity: [0, -1]"),
                 HasSubstr("loads[0]: give either edge and traction, or gravity alone"));
     EXPECT_THAT(mistake("  step: 0.01\n", "  step: 0.01\n  beta: 0.3\n"),
-                HasSubstr("time.beta: has no meaning with scheme generalisedAlpha"));
+                HasSubstr("time: 'beta' is not an option of generalisedAlpha; allowed: scheme, spectralRadius"));
     EXPECT_THAT(mistake("  step: 0.01\n", "  step: 0.01\n  scheme: static\n  substeps: 4\n"),
-                HasSubstr("time.substeps: has no meaning with scheme static"));
+                HasSubstr("time: 'substeps' is not an option of static; allowed: scheme, minDeltaT"));
     EXPECT_THAT(mistake("  end: 0.1\n", ""), HasSubstr("time: entry 'end' is missing"));
     EXPECT_THAT(mistake("end: 0.1", "end: 0.001"), HasSubstr("shorter than one step"));
     EXPECT_THAT(mistake("output:", "coupling:\n  interface: [left]\n  acceleration: {type: aitken, "
                                    "reusedTimeSteps: 3}\noutput:"),
-                HasSubstr("coupling.acceleration.reusedTimeSteps: has no meaning with acceleration "
-                          "type aitken"));
+                HasSubstr("coupling.acceleration: 'reusedTimeSteps' is not an option of aitken"));
 }
 
 TEST(CaseFile, substeps_do_not_go_with_the_block_method) {
@@ -195,7 +193,7 @@ TEST(CaseFile, substeps_do_not_go_with_the_block_method) {
         readText(withSubsteps(block));
         FAIL() << "accepted";
     } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("coupling.acceleration.type: 'block' does not go with "
+        EXPECT_THAT(error.what(), HasSubstr("coupling.acceleration: type 'block' does not go with "
                                             "time.substeps 4"));
         EXPECT_THAT(error.what(), HasSubstr("case.yaml:"));
     }

@@ -68,7 +68,7 @@ std::string annulus(double first, double second) {
 std::string pipeText(const std::string& slit) {
     return "geometry: {cylinder: {base: [0, 0, 0], radius: 1.1, height: 0.2, angles: [0, 360]}" +
            slit +
-           "}\ndiscretisation: {degree: [3, 2, 2], elements: [4, 1, 1]}\n"
+           "}\ndiscretisation: {degree: [3, 2, 3], elements: [4, 1, 2]}\n"
            "model: {kinematics: solid, strains: linear, thickness: 0.2}\n"
            "material: {type: StVenantKirchhoff, youngsModulus: 1e6, poissonsRatio: 0.3, "
            "density: 1000}\n"
@@ -124,17 +124,27 @@ TEST(Joints, planeRingVibratesAsAClosedRing) {
     const auto frequencies = [](const std::string& slit) {
         const std::string text =
             "geometry: {" + annulus(1.01, 0.99) + slit +
-            "}\ndiscretisation: {degree: [3, 2], elements: [4, 1]}\n"
+            "}\ndiscretisation: {degree: [3, 2], elements: [16, 1]}\n"
             "model: {kinematics: planeStress, strains: linear, thickness: 1}\n"
             "material: {type: StVenantKirchhoff, youngsModulus: 1e6, poissonsRatio: 0, "
             "density: 1000}\nsupports: []\ntime: {step: 1, end: 1}\n";
         return naturalModes(makeBody(readText(text))->model(), 5).angularFrequencies;
     };
     const double expected = std::sqrt(1e6 / 1000 * 0.02 * 0.02 / 12 * 36 / 5);
-    const Eigen::VectorXd closed = frequencies("");
-    EXPECT_NEAR(closed[3], expected, 2e-3 * expected); // thickness over radius, squared, and mesh
-    EXPECT_NEAR(closed[4], closed[3], 1e-3 * expected);
-    EXPECT_LT(frequencies(", slit: yes")[3], 0.5 * expected);
+    const auto elastic = [&](const std::string& slit) {
+        std::vector<double> found;
+        for (const double w : frequencies(slit)) {
+            if (w > 1e-2 * expected) { // no rigid motion
+                found.push_back(w);
+            }
+        }
+        return found;
+    };
+    const std::vector<double> closed = elastic("");
+    ASSERT_GE(closed.size(), 2u);
+    EXPECT_NEAR(closed[0], expected, 2e-3 * expected); // thickness over radius, squared, and mesh
+    EXPECT_NEAR(closed[1], closed[0], 1e-3 * expected);
+    EXPECT_LT(elastic(", slit: yes").at(0), 0.5 * expected);
 }
 
 TEST(Joints, annulusOfAShellStaysOpenWhereTheCaseSaysSlit) {
@@ -205,12 +215,12 @@ TEST(Joints, edgeThatIsAPointRuns) {
         runAlone(readCase(directory.write("case.yaml", text)), [](const std::string&) {}));
 }
 
-TEST(Joints, controlPointFarAwayEndsInAMessageOrRuns) {
+TEST(Joints, controlPointFarAwayIsRead) {
     const std::string text = "geometry: {cadJson: " + caseFile("farControlPoint.cad.json") +
                              "}\ndiscretisation: {degree: [3, 3], elements: [2, 2]}\n"
                              "model: {kinematics: shell, strains: linear, thickness: 0.01}\n"
                              "material: {type: StVenantKirchhoff, youngsModulus: 1e7, "
                              "poissonsRatio: 0.3, density: 100}\n"
                              "supports: []\ntime: {step: 1, end: 1}\n";
-    EXPECT_THAT(messageOf(text), HasSubstr("patch"));
+    EXPECT_EQ(messageOf(text), "no error");
 }

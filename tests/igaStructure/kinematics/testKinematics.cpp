@@ -165,13 +165,17 @@ TEST_P(EachKinematics, fieldsAreFiniteAndHaveTheirComponents) {
             EXPECT_EQ(values.rows(), field.nComponents) << field.name;
             EXPECT_EQ(values.cols(), static_cast<Eigen::Index>(mesh.points.size())) << field.name;
             EXPECT_TRUE(values.allFinite()) << field.name;
-            EXPECT_GT(values.norm(), 0) << field.name;
+            if (GetParam().kinematics != "membrane" || field.name != "bendingMoment") {
+                EXPECT_GT(values.norm(), 0) << field.name;
+            }
             names.insert(field.name);
         }
     }
     EXPECT_EQ(names.size(), body->fields().size());
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EachKinematics, testing::ValuesIn(members()), [](const auto& example) {
-    return example.param.kinematics + "_" + example.param.material + "_" + example.param.strains;
-});
+INSTANTIATE_TEST_SUITE_P(All, EachKinematics, testing::ValuesIn(members()),
+                         [](const auto& example) {
+                             return example.param.kinematics + "_" + example.param.material + "_" +
+                                    example.param.strains;
+                         });

@@ -165,6 +165,7 @@ TEST(ResultSeries, field_that_the_body_does_not_have_is_reported_with_those_it_h
         FAIL();
     } catch (const InputError& error) {
         EXPECT_STREQ(error.what(), "output.fields: this structure has no 'bendingMoment'; it has: "
-                                   "displacement, velocity, acceleration, stress, vonMisesStress");
+                                   "displacement [m], velocity [m/s], acceleration [m/s^2], "
+                                   "stress [Pa], vonMisesStress [Pa]");
     }
 }

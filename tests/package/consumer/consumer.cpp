@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Someone else's program: a field of a fluid's faces on a structure's vertices.
-#include <mapper/MortarMapping.hpp>
+#include <mapper/mortar/MortarMapping.hpp>
 
 #include <iostream>
 

@@ -10,7 +10,8 @@ slides()
     runScene
     movedPoints constant/polyMesh/points 0.2/polyMesh/points | awk '$1 == 2 && $3 == 0' | sort -k 2g > outlet
     expectEqual "points of the outlet" "$(wc -l < outlet)" 21
-    awk '$4^2 > 1e-20 { exit 1 }' outlet || fail "points leave the outlet's plane"
+    # The extensions are solved to 1e-7 of the motion, which is 0.05 m here
+    awk '$4^2 > 1e-16 { exit 1 }' outlet || fail "points leave the outlet's plane"
     # From the wall, which is fixed, to the roof's end each goes farther than the
     # one before
     awk 'NR > 1 && !($5 < before) { exit 1 } { before = $5 }' outlet || fail "the outlet does not slide"

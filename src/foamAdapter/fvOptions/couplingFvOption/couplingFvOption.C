@@ -52,7 +52,8 @@ Foam::fv::couplingFvOption::couplingFvOption
 
 void Foam::fv::couplingFvOption::correct(volVectorField&)
 {
-    mesh_.lookupObjectRef<couplingSession>(sessionName_).endVelocityCorrection();
+    mesh_.lookupObjectRef<couplingSession>(sessionName_)
+        .endVelocityCorrection();
 }
 
 

@@ -17,8 +17,8 @@
 namespace Foam
 {
 
-//- Tolerance of the linear solver, for the normalised residual: the functions are
-//  solved once, so there is no reason to save here
+//- Tolerance of the linear solver, for the normalised residual: the functions
+//  are solved once, so there is no reason to save here
 constexpr scalar tightTolerance = 1e-12;
 
 //- Enough passes over the explicit part of non-orthogonal meshes

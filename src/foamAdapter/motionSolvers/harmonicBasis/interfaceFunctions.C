@@ -10,8 +10,8 @@
 namespace Foam
 {
 
-//- Points nearer than this fraction of the boundary's extent are the same: those
-//  of the two planes of a 2D mesh, and those that ranks share
+//- Points nearer than this fraction of the boundary's extent are the same:
+//  those of the two planes of a 2D mesh, and those that ranks share
 constexpr scalar samePlace = 1e-9;
 
 //- A direction in which the control points extend less than this fraction of
@@ -34,8 +34,8 @@ static vectorField inOne(const List<vectorField>& ofRanks)
     return ListListOps::combine<vectorField>(ofRanks, accessOp<vectorField>());
 }
 
-//- Where areas at a point add up to less than this fraction of the largest, they
-//  face each other
+//- Where areas at a point add up to less than this fraction of the largest,
+//  they face each other
 constexpr scalar cancels = 0.1;
 
 //- Two tangents and the normal, as columns

@@ -241,6 +241,10 @@ Foam::couplingSession::couplingSession
     pimple_(mesh.lookupObject<pimpleControl>("solutionControl")),
     interface_(mesh, sessionSetup::selectPatches(mesh, dict), dict),
     force_(mesh, dict),
+    pointDisplacement_
+    (
+        sessionSetup::findPointDisplacement(mesh, dict, patches(), UName())
+    ),
     residual_(name, force_.UName(), mesh, pimple_),
     pressureTolerance_(dict, mesh),
     rates_(mesh, force_.UName()),
@@ -266,11 +270,7 @@ Foam::couplingSession::couplingSession
     message.endTime = mesh.time().endTime().value();
     message.deltaT = mesh.time().deltaTValue();
     message.retries = step_.retries();
-    interface_.describe
-    (
-        sessionSetup::findPointDisplacement(mesh, dict, patches(), UName()),
-        message
-    );
+    interface_.describe(pointDisplacement_, message);
 
     if (residual_.isExplicit())
     {

@@ -155,19 +155,19 @@ TEST(SpatialBeamCase, check_says_that_it_is_in_space) {
 TEST(SpatialBeamCase, what_has_no_meaning_in_space_is_refused) {
     const std::string force = "end: end, force: [\"2*t\", 0, \"-t\"]";
     EXPECT_THAT(mistake(replaced(beamText, force, "end: end, moment: 1")),
-                HasSubstr("loads[0].moment: has no meaning in space"));
+                HasSubstr("loads[0].moment: is not available in space"));
     EXPECT_THAT(mistake(replaced(beamText, force, "pressure: 1")),
-                HasSubstr("loads[0].pressure: has no meaning in space"));
+                HasSubstr("loads[0].pressure: is not available in space"));
     EXPECT_THAT(mistake(replaced(beamText, force, "gravity: [0, -1]")),
                 HasSubstr("loads[0].gravity: must have 3 values here, but has 2"));
     EXPECT_THAT(mistake(replaced(beamText, "0.05}", "0.05, width: 0.1}")),
                 HasSubstr("model.width: 0.1 is not the thickness 0.05"));
     EXPECT_THAT(mistake(replaced(beamText, "0.05}", "0.05, section: planeStrain}")),
-                HasSubstr("model.section: planeStrain has no meaning in space"));
+                HasSubstr("model.section: planeStrain is not available in space"));
     EXPECT_THAT(mistake(replaced(cableText, "fix: [x, y, z]", "fix: [x, y, z, rotation]")),
-                HasSubstr("'rotation' has no meaning for a cable in space; allowed: x, y, z"));
+                HasSubstr("'rotation' is not allowed; allowed: x, y, z"));
     EXPECT_THAT(mistake(beamText + "coupling: {}\n"),
-                HasSubstr("coupling: a beam in space cannot be coupled"));
+                HasSubstr("coupling: a line in space cannot be coupled"));
     EXPECT_THAT(mistake(replaced(beamText, "line: {from: [0, 0, 0], to: [1, 2, 2]}",
                                  "arc: {centre: [0, 0, 0], radius: 1, angles: [0, 90]}")),
                 HasSubstr("a beam in space must be straight"));
