@@ -30,7 +30,7 @@ ExampleBeam loadedBeam(Strains strains) {
 
 } // namespace
 
-TEST(ExplicitIntegrator, stable_step_is_that_of_the_highest_frequency) {
+TEST(ExplicitIntegrator, stableStepIsThatOfTheHighestFrequency) {
     Beam line = loadedBeam(Strains::linear).build();
     ExplicitIntegrator integrator(line, 0);
     SparseMatrix tangent;
@@ -52,7 +52,7 @@ TEST(ExplicitIntegrator, stable_step_is_that_of_the_highest_frequency) {
     EXPECT_NEAR(estimate, exact, 0.02 * exact); // 0.5 % below by choice, power iteration 1 %
 }
 
-TEST(ExplicitIntegrator, lumped_mass_is_the_mass_of_the_body) {
+TEST(ExplicitIntegrator, lumpedMassIsTheMassOfTheBody) {
     const PlaneSolid solid = makeExample({Kinematics::planeStress, Strains::linear, false});
     const SparseMatrix mass = solid.lumpedMassMatrix();
     EXPECT_NEAR(mass.sum(), 2 * 3000 * 0.1 * 0.2, 1e-9);
@@ -62,7 +62,7 @@ TEST(ExplicitIntegrator, lumped_mass_is_the_mass_of_the_body) {
     EXPECT_NEAR(free.build().lumpedMassMatrix().sum(), 2 * 10 * 10, 1e-9);
 }
 
-TEST(ExplicitIntegrator, nonlinear_beam_moves_as_with_the_implicit_scheme) {
+TEST(ExplicitIntegrator, nonlinearBeamMovesAsWithTheImplicitScheme) {
     ExampleBeam kind = loadedBeam(Strains::nonlinear);
     kind.elements = 16;
     Beam line = kind.build();
@@ -86,7 +86,29 @@ TEST(ExplicitIntegrator, nonlinear_beam_moves_as_with_the_implicit_scheme) {
                 0.01 * energies.externalWork);
 }
 
-TEST(ExplicitIntegrator, stiffness_damping_is_refused) {
+TEST(ExplicitIntegrator, massDampingSlowsAFreeBodyByItsRateHalfAPartLate) {
+    PlaneMaterial material = exampleMaterial(Kinematics::planeStrain);
+    material.massDamping = 3;
+    Loads loads;
+    loads.gravities.push_back({{Formula("-1", ""), Formula("0", "")}});
+    PlaneSolid solid(geometry::refine(geometry::rectangle({0, 0, 0}, 0.1, 1), 2, 3, 1, 4), material,
+                     Strains::linear, {}, loads);
+    ExplicitIntegrator integrator(solid, 0);
+    const int nParts = integrator.advance(1, 1).nIterations;
+    // v' = -1 - 3 v; at the middle of the part before, the velocity is that of half a part
+    // ago, which changes the rate to 3 (1 + 3 dt / 2).
+    const double lag = 3 * 0.5 / nParts;
+    const double rate = 3 * (1 + lag);
+    const double expected = -(1 - (1 - std::exp(-rate)) / rate) / 3;
+    EXPECT_NEAR(integrator.state().displacement[0], expected, 0.1 * lag * std::abs(expected));
+    const Energies& energies = integrator.energies();
+    // Work of the middle velocities: exact but for the lag.
+    EXPECT_NEAR(energies.kinetic + energies.dampingWork, energies.externalWork,
+                3 * lag * energies.externalWork);
+    EXPECT_GT(energies.dampingWork, energies.kinetic);
+}
+
+TEST(ExplicitIntegrator, stiffnessDampingIsRefused) {
     PlaneMaterial material = exampleMaterial(Kinematics::planeStrain);
     material.stiffnessDamping = 0.1;
     PlaneSolid solid(geometry::refine(geometry::rectangle({0, 0, 0}, 0.1, 1), 2, 3, 1, 4), material,
@@ -94,7 +116,7 @@ TEST(ExplicitIntegrator, stiffness_damping_is_refused) {
     EXPECT_THROW(ExplicitIntegrator(solid, 0), InputError);
 }
 
-TEST(ExplicitIntegrator, flap_runs_from_its_case_file) {
+TEST(ExplicitIntegrator, flapRunsFromItsCaseFile) {
     const TemporaryDirectory directory;
     runAlone(readCase(directory.write("case.yaml",
                                       exampleText("time:\n", "time:\n  scheme: explicit\n"))),

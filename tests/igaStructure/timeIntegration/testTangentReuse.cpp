@@ -45,7 +45,7 @@ Vibration vibrate(const NewtonOptions& newton, double amplitude) {
 
 } // namespace
 
-TEST(TangentReuse, solution_is_the_same_with_fewer_factorisations) {
+TEST(TangentReuse, solutionIsTheSameWithFewerFactorisations) {
     const Vibration expected = vibrate(reusing(0), 300);
     EXPECT_EQ(expected.nFactorisations, expected.nIterations);
     for (const double contraction : {0.1, 0.5}) {
@@ -56,7 +56,7 @@ TEST(TangentReuse, solution_is_the_same_with_fewer_factorisations) {
     }
 }
 
-TEST(TangentReuse, new_size_of_the_time_step_takes_a_new_tangent) {
+TEST(TangentReuse, newSizeOfTheTimeStepTakesANewTangent) {
     PlaneSolid solid = makeExample({Kinematics::planeStrain, Strains::nonlinear, false});
     TimeIntegrator integrator(solid, TimeScheme::generalisedAlpha(0.8), reusing(0.5), 0);
     VectorXd force = VectorXd::Zero(solid.nUnknowns());
@@ -73,7 +73,7 @@ TEST(TangentReuse, new_size_of_the_time_step_takes_a_new_tangent) {
     EXPECT_EQ(counts[2], counts[1] + 1);
 }
 
-TEST(TangentReuse, tangent_that_no_longer_serves_is_replaced) {
+TEST(TangentReuse, tangentThatNoLongerServesIsReplaced) {
     // A beam between two hinges is soft at rest and stiff once it is stretched: the old
     // tangent would move it by far too much.
     ExampleBeam kind;

@@ -4,6 +4,7 @@
 #include "geometry/spline/refinement.hpp"
 #include "igaStructure/kinematics/plane/PlaneSolid.hpp"
 #include "igaStructure/timeIntegration/TimeIntegrator.hpp"
+#include "igaStructure/timeIntegration/naturalModes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,6 +25,7 @@ struct Cantilever {
     std::string gravityX = "0";
     std::vector<Support> supports = {{geometry::Edge::bottom, {true, true}}};
     double massDamping = 0;
+    double stiffnessDamping = 0;
     Kinematics kinematics = Kinematics::planeStress;
 
     PlaneSolid build() const {
@@ -33,6 +35,7 @@ struct Cantilever {
         material.poissonsRatio = poissonsRatio;
         material.density = 3000;
         material.massDamping = massDamping;
+        material.stiffnessDamping = stiffnessDamping;
         Loads loads;
         loads.tractions.push_back(
             {geometry::Edge::left, {Formula(tractionX, ""), Formula("0", "")}});
@@ -64,7 +67,7 @@ double staticTip(const Cantilever& cantilever, int loadSteps = 1) {
 
 } // namespace
 
-TEST(TimeIntegrator, static_cantilever_bends_as_Timoshenkos_beam) {
+TEST(TimeIntegrator, staticCantileverBendsAsTimoshenkosBeam) {
     Cantilever cantilever;
     cantilever.tractionX = "1000";
     // w = q l^4 / 8 E I + q l^2 / 2 k G A; Poisson's ratio 0, so k = 5/6, G = E/2.
@@ -75,7 +78,7 @@ TEST(TimeIntegrator, static_cantilever_bends_as_Timoshenkos_beam) {
     EXPECT_NEAR(staticTip(cantilever), expected, 2e-3 * expected);
 }
 
-TEST(TimeIntegrator, slender_cantilever_rolls_up_as_the_elastica) {
+TEST(TimeIntegrator, slenderCantileverRollsUpAsTheElastica) {
     // Tip load P l^2 / E I = 1 across the original axis: Mattiasson 1981 gives
     // the deflections 0.30172 l and 0.05643 l.
     Cantilever cantilever;
@@ -100,7 +103,7 @@ TEST(TimeIntegrator, slender_cantilever_rolls_up_as_the_elastica) {
     EXPECT_NEAR(-tip[1], 0.05643, 0.015 * 0.05643);
 }
 
-TEST(TimeIntegrator, nonlinear_strains_agree_with_linear_ones_for_small_loads) {
+TEST(TimeIntegrator, nonlinearStrainsAgreeWithLinearOnesForSmallLoads) {
     Cantilever cantilever;
     cantilever.tractionX = "0.01";
     const double linear = staticTip(cantilever);
@@ -110,7 +113,7 @@ TEST(TimeIntegrator, nonlinear_strains_agree_with_linear_ones_for_small_loads) {
     EXPECT_NEAR(staticTip(cantilever), linear, 5e-6 * linear);
 }
 
-TEST(TimeIntegrator, Newtons_method_converges_quadratically) {
+TEST(TimeIntegrator, newtonsMethodConvergesQuadratically) {
     Cantilever cantilever;
     cantilever.strains = Strains::nonlinear;
     cantilever.tractionX = "1000";
@@ -132,7 +135,7 @@ TEST(TimeIntegrator, Newtons_method_converges_quadratically) {
     EXPECT_GE(nChecked, 1);
 }
 
-TEST(TimeIntegrator, trapezoidal_rule_keeps_energy) {
+TEST(TimeIntegrator, trapezoidalRuleKeepsEnergy) {
     Cantilever cantilever;
     cantilever.tractionX = "t < 0.1 ? 1000 : 0"; // pushed, then free
     PlaneSolid solid = cantilever.build();
@@ -156,7 +159,73 @@ TEST(TimeIntegrator, trapezoidal_rule_keeps_energy) {
     }
 }
 
-TEST(TimeIntegrator, spectral_radius_below_one_dissipates_and_one_does_not) {
+TEST(TimeIntegrator, trapezoidalRuleKeepsEnergyAndWhatDampingTakes) {
+    Cantilever cantilever;
+    cantilever.tractionX = "1000*sin(9*t)";
+    cantilever.massDamping = 0.4;
+    cantilever.stiffnessDamping = 0.04;
+    PlaneSolid solid = cantilever.build();
+    TimeIntegrator integrator(solid, TimeScheme::newmark(0.25, 0.5), {}, 0);
+    double before = 0;
+    for (int step = 1; step <= 100; ++step) {
+        integrator.beginTimeStep(0.02 * step, 0.02);
+        integrator.solve();
+        integrator.acceptTimeStep();
+        const Energies& energies = integrator.energies();
+        EXPECT_GT(energies.dampingWork, before) << step;
+        before = energies.dampingWork;
+        // Exact for a linear structure, up to the rounding of 100 solutions.
+        EXPECT_NEAR(energies.kinetic + energies.strain + energies.dampingWork,
+                    energies.externalWork, 1e-9 * before)
+            << step;
+    }
+}
+
+namespace {
+
+// Distance to the exact motion of the lowest mode after a time, over its amplitude, released
+// from rest: q'' + (a + b w^2) q' + w^2 q = 0, a and b the damping of mass and stiffness.
+double errorOfDampedMode(const TimeScheme& scheme, int nSteps) {
+    Cantilever cantilever;
+    cantilever.massDamping = 0.4;
+    cantilever.stiffnessDamping = 0.04;
+    PlaneSolid solid = cantilever.build();
+    const NaturalModes modes = naturalModes(solid, 1);
+    const double w = modes.angularFrequencies[0];
+    const VectorXd shape = modes.shapes.col(0);
+    TimeIntegrator integrator(solid, scheme, {}, 0);
+    MotionState start = integrator.state();
+    start.displacement = shape;
+    start.acceleration = -w * w * shape;
+    integrator.restore(start, {});
+    const double endTime = 1.5; // most of a period
+    for (int step = 1; step <= nSteps; ++step) {
+        integrator.beginTimeStep(step * endTime / nSteps, endTime / nSteps);
+        integrator.solve();
+        integrator.acceptTimeStep();
+    }
+    const double decay = 0.5 * (cantilever.massDamping + cantilever.stiffnessDamping * w * w);
+    const double dampedW = std::sqrt(w * w - decay * decay);
+    const double phase = dampedW * endTime;
+    const double exact =
+        std::exp(-decay * endTime) * (std::cos(phase) + decay / dampedW * std::sin(phase));
+    return (integrator.state().displacement - exact * shape).norm() / shape.norm();
+}
+
+} // namespace
+
+TEST(TimeIntegrator, naturalModeMovesAsADampedOscillatorWithAnErrorOfSecondOrder) {
+    for (const TimeScheme& scheme :
+         {TimeScheme::generalisedAlpha(0.8), TimeScheme::newmark(0.25, 0.5),
+          TimeScheme::newmark(0.3, 0.5)}) {
+        const double coarse = errorOfDampedMode(scheme, 100);
+        const double fine = errorOfDampedMode(scheme, 200);
+        EXPECT_LT(coarse, 2e-3); // (w dt)^2/12 (w t) = 1.4e-3 without damping, w = 3.7
+        EXPECT_NEAR(std::log2(coarse / fine), 2, 0.1);
+    }
+}
+
+TEST(TimeIntegrator, spectralRadiusBelowOneDissipatesAndOneDoesNot) {
     const auto remaining = [](double spectralRadius) {
         Cantilever cantilever;
         cantilever.gravityX = "t < 0.005 ? 1000 : 0"; // a blow: high frequencies too
@@ -179,12 +248,13 @@ TEST(TimeIntegrator, spectral_radius_below_one_dissipates_and_one_does_not) {
     EXPECT_GT(half, 0.1); // the lowest frequency stays
     EXPECT_LT(half, most);
     EXPECT_LT(most, 1);
+    EXPECT_NEAR(remaining(1), 1, 1e-9); // exact, up to the rounding of 200 solutions
 }
 
 class Order : public testing::TestWithParam<Strains> {};
 INSTANTIATE_TEST_SUITE_P(Strains, Order, testing::Values(Strains::linear, Strains::nonlinear));
 
-TEST_P(Order, error_falls_with_the_square_of_the_time_step) {
+TEST_P(Order, errorFallsWithTheSquareOfTheTimeStep) {
     Cantilever cantilever;
     cantilever.strains = GetParam();
     cantilever.elements = 2;
@@ -200,7 +270,7 @@ TEST_P(Order, error_falls_with_the_square_of_the_time_step) {
     }
 }
 
-TEST(TimeIntegrator, free_body_falls_as_a_parabola) {
+TEST(TimeIntegrator, freeBodyFallsAsAParabola) {
     Cantilever cantilever;
     cantilever.supports = {};
     cantilever.gravityX = "-9.81";
@@ -211,7 +281,7 @@ TEST(TimeIntegrator, free_body_falls_as_a_parabola) {
     }
 }
 
-TEST(TimeIntegrator, mass_damping_slows_a_free_body_exponentially) {
+TEST(TimeIntegrator, massDampingSlowsAFreeBodyExponentially) {
     Cantilever cantilever;
     cantilever.supports = {};
     cantilever.gravityX = "-1";
@@ -222,7 +292,7 @@ TEST(TimeIntegrator, mass_damping_slows_a_free_body_exponentially) {
                 1e-5 * std::abs(expected));
 }
 
-TEST(TimeIntegrator, repeated_solutions_of_a_step_depend_on_the_last_force_only) {
+TEST(TimeIntegrator, repeatedSolutionsOfAStepDependOnTheLastForceOnly) {
     for (Strains strains : {Strains::linear, Strains::nonlinear}) {
         Cantilever cantilever;
         cantilever.strains = strains;
@@ -249,7 +319,7 @@ TEST(TimeIntegrator, repeated_solutions_of_a_step_depend_on_the_last_force_only)
     }
 }
 
-TEST(TimeIntegrator, linear_structure_is_factored_once_for_each_time_step_size) {
+TEST(TimeIntegrator, linearStructureIsFactoredOnceForEachTimeStepSize) {
     Cantilever cantilever;
     PlaneSolid solid = cantilever.build();
     TimeIntegrator integrator(solid, TimeScheme::generalisedAlpha(0.8), {}, 0);
@@ -278,7 +348,7 @@ std::string failure(const Cantilever& cantilever, int loadSteps) {
 
 } // namespace
 
-TEST(TimeIntegrator, missing_supports_of_a_static_analysis_are_named) {
+TEST(TimeIntegrator, missingSupportsOfAStaticAnalysisAreNamed) {
     Cantilever cantilever;
     cantilever.supports = {};
     EXPECT_EQ(failure(cantilever, 1),
@@ -290,7 +360,7 @@ TEST(TimeIntegrator, missing_supports_of_a_static_analysis_are_named) {
     EXPECT_NE(failure(cantilever, 1).find("prevents: translation along y; add"), std::string::npos);
 }
 
-TEST(TimeIntegrator, failed_Newton_iteration_says_where_it_stands) {
+TEST(TimeIntegrator, failedNewtonIterationNamesTheTime) {
     Cantilever cantilever;
     cantilever.strains = Strains::nonlinear;
     cantilever.tractionX = "1e9"; // absurd
@@ -299,7 +369,7 @@ TEST(TimeIntegrator, failed_Newton_iteration_says_where_it_stands) {
     EXPECT_NE(message, "no error");
 }
 
-TEST(TimeIntegrator, column_that_is_pressed_beyond_its_buckling_load_is_refused) {
+TEST(TimeIntegrator, columnThatIsPressedBeyondItsBucklingLoadIsRefused) {
     Cantilever cantilever;
     cantilever.strains = Strains::nonlinear;
     PlaneSolid solid = cantilever.build();
@@ -324,7 +394,7 @@ TEST(TimeIntegrator, column_that_is_pressed_beyond_its_buckling_load_is_refused)
     }
 }
 
-TEST(TimeIntegrator, force_that_is_not_finite_is_refused) {
+TEST(TimeIntegrator, forceThatIsNotFiniteIsRefused) {
     PlaneSolid solid = Cantilever{}.build();
     TimeIntegrator integrator(solid, TimeScheme::generalisedAlpha(0.8), {}, 0);
     integrator.beginTimeStep(0.01, 0.01);
