@@ -214,7 +214,8 @@ TEST(BadInput, watchPointNamesThatBreakATableAreRefused) {
 }
 
 TEST(BadInput, closedBeamIsToldThatItIsNotJoined) {
-    EXPECT_THAT(mistake(beamText("nurbs: {degree: [2], knotsXi: [0, 0, 0, 1, 2, 2, 2], "
-                                 "controlPoints: [[0, 0], [2, 0], [0, 2], [0, 0]]}")),
-                AllOf(HasSubstr("case.yaml:2:3: geometry: "), HasSubstr("its ends are not joined")));
+    EXPECT_THAT(
+        mistake(beamText("nurbs: {degree: [2], knotsXi: [0, 0, 0, 1, 2, 2, 2], "
+                         "controlPoints: [[0, 0], [2, 0], [0, 2], [0, 0]]}")),
+        AllOf(HasSubstr("case.yaml:2:3: geometry: "), HasSubstr("its ends are not joined")));
 }

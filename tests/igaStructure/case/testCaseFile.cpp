@@ -148,8 +148,10 @@ TEST(CaseFile, entries_that_exclude_each_other_are_reported) {
     EXPECT_THAT(mistake("  rectangle: {origin: [-0.05, 0], size: [0.1, 1]}\n", "  {}\n"),
                 HasSubstr("geometry: give exactly one of: rectangle, nurbs"));
     EXPECT_THAT(mistake("[2, 3]", "[2, 0]"), HasSubstr("degree[1]: 0 is out of range"));
-    EXPECT_THAT(mistake("  strains: linear", "  strains: linear\n  thickness: 2"),
-                HasSubstr("model: 'thickness' is not an option of planeStrain; allowed: kinematics, strains"));
+    EXPECT_THAT(
+        mistake("  strains: linear", "  strains: linear\n  thickness: 2"),
+        HasSubstr(
+            "model: 'thickness' is not an option of planeStrain; allowed: kinematics, strains"));
     EXPECT_THAT(mistake("planeStrain", "planeStress"),
                 HasSubstr("model: entry 'thickness' is missing: Thickness of the plate"));
     EXPECT_THAT(mistake("traction: [\"100*y\", 0]", "traction: [0]"),
@@ -165,10 +167,13 @@ TEST(CaseFile, entries_that_exclude_each_other_are_reported) {
                 HasSubstr("output.watchPoints[0].at: must be [x, y] or [x, y, z]"));
     EXPECT_THAT(mistake("traction: [\"100*y\", 0]", "gravity: [0, -1]"),
                 HasSubstr("loads[0]: give either edge and traction, or gravity alone"));
-    EXPECT_THAT(mistake("  step: 0.01\n", "  step: 0.01\n  beta: 0.3\n"),
-                HasSubstr("time: 'beta' is not an option of generalisedAlpha; allowed: scheme, spectralRadius"));
-    EXPECT_THAT(mistake("  step: 0.01\n", "  step: 0.01\n  scheme: static\n  substeps: 4\n"),
-                HasSubstr("time: 'substeps' is not an option of static; allowed: scheme, minDeltaT"));
+    EXPECT_THAT(
+        mistake("  step: 0.01\n", "  step: 0.01\n  beta: 0.3\n"),
+        HasSubstr(
+            "time: 'beta' is not an option of generalisedAlpha; allowed: scheme, spectralRadius"));
+    EXPECT_THAT(
+        mistake("  step: 0.01\n", "  step: 0.01\n  scheme: static\n  substeps: 4\n"),
+        HasSubstr("time: 'substeps' is not an option of static; allowed: scheme, minDeltaT"));
     EXPECT_THAT(mistake("  end: 0.1\n", ""), HasSubstr("time: entry 'end' is missing"));
     EXPECT_THAT(mistake("end: 0.1", "end: 0.001"), HasSubstr("shorter than one step"));
     EXPECT_THAT(mistake("output:", "coupling:\n  interface: [left]\n  acceleration: {type: aitken, "

@@ -60,8 +60,10 @@ TEST(BeamCase, section_follows_from_thickness_and_plane_strain) {
 }
 
 TEST(BeamCase, mistakes_are_reported_with_their_place) {
-    EXPECT_THAT(mistake("end: start, fix", "edge: bottom, fix"),
-                HasSubstr("case.yaml:11:6: supports[0]: 'edge' is not an option of beam; allowed: end, fix"));
+    EXPECT_THAT(
+        mistake("end: start, fix", "edge: bottom, fix"),
+        HasSubstr(
+            "case.yaml:11:6: supports[0]: 'edge' is not an option of beam; allowed: end, fix"));
     EXPECT_THAT(mistake(", thickness: 0.1", ""), HasSubstr("model: entry 'thickness' is missing"));
     EXPECT_THAT(mistake("thickness: 0.1", "thickness: 0.1, rotaryInertia: yes"),
                 HasSubstr("model.rotaryInertia: yes is not available with nonlinear strains"));

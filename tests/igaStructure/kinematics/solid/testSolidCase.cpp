@@ -161,7 +161,8 @@ TEST(SolidCase, check_names_what_is_free_and_advises) {
 TEST(SolidCase, mistakes_are_told_with_their_place) {
     EXPECT_THAT(messageOf(cantileverText("faces: [left]", "edge: left")), HasSubstr("edge"));
     EXPECT_THAT(messageOf(cantileverText("face: right", "face: outside")),
-                AllOf(HasSubstr("loads[0].face"), HasSubstr("'outside' is not allowed; allowed: left, right")));
+                AllOf(HasSubstr("loads[0].face"),
+                      HasSubstr("'outside' is not allowed; allowed: left, right")));
     EXPECT_THAT(
         messageOf(cantileverText("{face: right, traction: [0, 1, 0]}", "{traction: [0, 1, 0]}")),
         HasSubstr("entry 'face' is missing"));
