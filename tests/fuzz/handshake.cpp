@@ -6,7 +6,7 @@
 
 // The bytes of a stranger, against a structure that waits for the fluid.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    using namespace tokay::coupling;
+    using namespace tokay::channel;
     const auto [stranger, own] = socketPair();
     const ssize_t sent = write(stranger, data, std::min<std::size_t>(size, 1 << 15));
     shutdown(stranger, SHUT_WR);

@@ -7,7 +7,7 @@
 
 // A message from its type, the first byte, and its payload.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    using namespace tokay::coupling;
+    using namespace tokay::channel;
     if (size == 0) {
         return 0;
     }
