@@ -130,7 +130,7 @@ BrepModel withCoincidentEdges(const BrepModel& model, double tolerance) {
             edges.push_back(std::move(found));
         }
     }
-    return BrepModel(model.faces(), std::move(edges), model.tolerance());
+    return BrepModel(model.faces(), std::move(edges), model.tolerance(), model.remarks());
 }
 
 } // namespace tokay::geometry

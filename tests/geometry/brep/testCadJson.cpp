@@ -228,6 +228,7 @@ TEST(CadJson, contradictingDirectionsAndUnusedVerticesAreRemarked) {
     EXPECT_NE(read.remarks()[0].find("1 vertices"), std::string::npos);
     EXPECT_NE(read.remarks()[1].find("edge \"6\""), std::string::npos);
     EXPECT_FALSE(read.edges()[0].trims[1].isForward);
+    EXPECT_EQ(withCoincidentEdges(read, 1e-9).remarks(), read.remarks());
 }
 
 TEST(CadJson, malformedFilesAreRefusedWithLineAndKey) {

@@ -215,6 +215,20 @@ TEST(Joints, edgeThatIsAPointRuns) {
         runAlone(readCase(directory.write("case.yaml", text)), [](const std::string&) {}));
 }
 
+TEST(Joints, remarksOnACadFileAreInTheLog) {
+    EXPECT_THAT(checkCase(readText(plates(platesWithoutEdge(), clamped + lifted))),
+                Not(HasSubstr("note: ")));
+    std::ifstream file(caseFile("platesWithoutEdge.cad.json"));
+    std::string cad{std::istreambuf_iterator<char>(file), {}};
+    const std::string none = "\"vertices\": []";
+    ASSERT_NE(cad.find(none), std::string::npos);
+    cad.replace(cad.find(none), none.size(), "\"vertices\": [{\"brep_id\": 99}]");
+    const TemporaryDirectory directory;
+    const std::string geometry = "cadJson: " + directory.write("remarked.cad.json", cad);
+    EXPECT_THAT(checkCase(readText(plates(geometry, clamped + lifted))),
+                AllOf(HasSubstr("  note: "), HasSubstr("1 vertices are not used")));
+}
+
 TEST(Joints, controlPointFarAwayIsRead) {
     const std::string text = "geometry: {cadJson: " + caseFile("farControlPoint.cad.json") +
                              "}\ndiscretisation: {degree: [3, 3], elements: [2, 2]}\n"

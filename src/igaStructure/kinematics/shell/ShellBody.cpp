@@ -80,6 +80,13 @@ std::string describeFoundJoints(const geometry::BrepModel& model) {
                                        fmt::join(found, ", "));
 }
 
+// Corrections to a CAD file are never silent.
+std::string describeRemarks(const geometry::BrepModel& model) {
+    return model.remarks().empty()
+               ? ""
+               : fmt::format("  note: {}\n", fmt::join(model.remarks(), "\n  note: "));
+}
+
 } // namespace
 
 std::string ShellBody::description() const {
@@ -97,13 +104,13 @@ std::string ShellBody::description() const {
         "  {}, {} strains, {} patch{} with {} joint{}, degree {} x {}, {} elements and {} cut "
         "ones\n"
         "  {}, thickness {:g} to {:g} m\n"
-        "{}",
+        "{}{}",
         all.bending ? "Kirchhoff-Love shell" : "membrane",
         shell_.isLinear() ? "linear" : "nonlinear", shell_.patches().size(),
         shell_.patches().size() == 1 ? "" : "es", shell_.constraints().nJoints,
         shell_.constraints().nJoints == 1 ? "" : "s", first.u().degree(), first.v().degree(),
         nElements, nCut, all.material.description(), *thinnest, *thickest,
-        describeFoundJoints(all.model));
+        describeFoundJoints(all.model), describeRemarks(all.model));
 }
 
 std::vector<VtuMesh> ShellBody::meshes(const OutputOptions& options) const {
