@@ -141,7 +141,8 @@ class Structure {
             return State::rejected;
         }
         if (forces.final) {
-            return State::accepted;
+            const bool asks = (behaves("asksOnce") && exchange_ < 3) || behaves("asksForever");
+            return asks && forces.ifConverged ? State::iterate : State::accepted;
         }
         const bool iterates = behaves("neverConverges") || (behaves("rejects") && exchange_ < 4) ||
                               (behaves("convergesShort") && (deltaT_ > 0.006 || exchange_ < 4)) ||

@@ -22,13 +22,12 @@ class FsiParticipant : public CoupledParticipant {
 
     Eigen::VectorXd beginTimeStep(int step, double time, double deltaT) override;
     StructureResponse iterate(const Eigen::VectorXd& faceForces, double fluidResidual) override;
-    StructureResponse acceptTimeStep(const Eigen::VectorXd& finalForces,
-                                     bool writeResults) override;
+    StructureResponse acceptTimeStep(const channel::Forces& final) override;
     void rejectTimeStep() override;
 
   private:
     void restoreMethod(const StartState& start, const Report& report);
-    coupling::CouplingIteration accept(const Eigen::VectorXd& finalForces);
+    coupling::CouplingIteration accept(const Eigen::VectorXd& finalForces, double limit);
     void save();
 
     const Case& case_;
@@ -39,6 +38,7 @@ class FsiParticipant : public CoupledParticipant {
     std::unique_ptr<coupling::CouplingMethod> method_;
     std::unique_ptr<RunOutput> output_;
     StepReport report_;
+    const double tolerance_;
     const bool audits_;
     double deltaT_ = 0;
 };

@@ -66,7 +66,7 @@ Foam::vectorField Foam::couplingSession::evaluateForces(const bool final)
 }
 
 
-void Foam::couplingSession::iterate(const bool final)
+void Foam::couplingSession::iterate(const bool final, const bool ifConverged)
 {
     const scalar start = stepController::wallClock();
     const vectorField forces(evaluateForces(final));
@@ -78,6 +78,7 @@ void Foam::couplingSession::iterate(const bool final)
     stepController::statistics& current = step_.current();
     tokay::channel::Forces message;
     message.final = final;
+    message.ifConverged = ifConverged;
     message.write = final && mesh_.time().writeTime();
     message.fluidResidual = current.fluidResidual;
     message.values = interface_.collect(forces);
@@ -116,9 +117,16 @@ void Foam::couplingSession::receive
         step_.fail(reason, string());
         return;
     }
+    scalar residual = solution.residual;
+    Pstream::scatter(residual);
+    step_.current().residual = residual;
     if (state == static_cast<label>(State::accepted))
     {
         step_.accept();
+        if (!residual_.isExplicit())
+        {
+            step_.current().converged = residual < residual_.tolerance();
+        }
         if (solution.balance)
         {
             audit(*solution.balance);
@@ -126,9 +134,6 @@ void Foam::couplingSession::receive
         return;
     }
     nextDisplacement_ = interface_.distribute(solution.values);
-    scalar residual = solution.residual;
-    Pstream::scatter(residual);
-    step_.current().residual = residual;
     step_.current().converged = state == static_cast<label>(State::converged);
 }
 
@@ -170,15 +175,36 @@ bool Foam::couplingSession::ranOut() const
 }
 
 
+void Foam::couplingSession::endWithoutAcceptance()
+{
+    if (corrector_ < pimple_.nCorrPIMPLE())
+    {
+        residual_.reopenLoop(step_.current().residual);
+        return;
+    }
+    step_.failUnconverged(describeUnconverged());
+    if (!step_.hasFailed())
+    {
+        iterate(true, false);
+    }
+}
+
+
 void Foam::couplingSession::endFinalCorrector()
 {
+    bool ifConverged = !residual_.isExplicit();
     if (!step_.hasFailed() && ranOut())
     {
         step_.failUnconverged(describeUnconverged());
+        ifConverged = false;
     }
     if (!step_.hasFailed())
     {
-        iterate(true);
+        iterate(true, ifConverged);
+    }
+    if (!step_.hasFailed() && !step_.isAccepted())
+    {
+        endWithoutAcceptance();
     }
     if (step_.hasFailed())
     {
@@ -212,7 +238,7 @@ void Foam::couplingSession::endOuterCorrector()
     }
     else if (isDue())
     {
-        iterate(false);
+        iterate(false, false);
         residual_.enter(step_.current().residual);
         if (step_.hasFailed())
         {
