@@ -65,8 +65,9 @@ channel::Interface centresOf(const channel::Interface& fluid) {
     return centres;
 }
 
-Coupling offsetCoupling() {
+Coupling offsetCoupling(LoadTransfer loads = LoadTransfer::transposed) {
     Coupling coupling;
+    coupling.loads = loads;
     coupling.method = TransferMethod::offset;
     coupling.gapLimit = 0.1;
     return coupling;
