@@ -120,11 +120,12 @@ class Structure {
                 record_.add(*step);
                 time_ = step->time;
                 deltaT_ = step->deltaT;
-                exchange_ = 0;
+                exchange_ = nFinals_ = 0;
                 answer(State::iterate);
             } else if (const auto* forces = std::get_if<Forces>(&message)) {
                 record_.add(*forces);
                 ++exchange_;
+                nFinals_ += forces->final;
                 misbehave();
                 answer(stateAfter(*forces));
             } else if (const auto* rejection = std::get_if<RejectStep>(&message)) {
@@ -141,7 +142,7 @@ class Structure {
             return State::rejected;
         }
         if (forces.final) {
-            const bool asks = (behaves("asksOnce") && exchange_ < 3) || behaves("asksForever");
+            const bool asks = (behaves("asksOnce") && nFinals_ == 1) || behaves("asksForever");
             return asks && forces.ifConverged ? State::iterate : State::accepted;
         }
         const bool iterates = behaves("neverConverges") || (behaves("rejects") && exchange_ < 4) ||
@@ -222,6 +223,7 @@ class Structure {
     double time_ = 0;
     double deltaT_ = 0;
     int exchange_ = 0;
+    int nFinals_ = 0; ///< final forces of this step
 };
 
 } // namespace

@@ -123,9 +123,9 @@ void Foam::couplingSession::receive
     if (state == static_cast<label>(State::accepted))
     {
         step_.accept();
-        if (!residual_.isExplicit())
+        if (!residual_.isExplicit() && residual >= residual_.tolerance())
         {
-            step_.current().converged = residual < residual_.tolerance();
+            step_.current().converged = false;
         }
         if (solution.balance)
         {
