@@ -148,9 +148,9 @@ TEST(ArcLength, loads_without_a_factor_of_time_are_reported) {
 }
 
 TEST(ArcLength, endsExactlyAtTheEndAlthoughLoadsAreDefinedUpToThereOnly) {
-    // sqrt(0.15 - t) is no number beyond the end; 0.19 would be the limit.
+    // sqrt(0.15 - t) is no number beyond the end, where the load is 0.12; its limit is 0.19.
     for (const double firstStep : {0.15, 0.04, 0.011}) {
-        Beam line = truss(0.1, 1000, "sqrt(0.15 - t) - sqrt(0.15)");
+        Beam line = truss(0.1, 1000, "0.3*sqrt(0.15 - t) - 0.3*sqrt(0.15)");
         ArcLength path(line, NewtonOptions{1e-10, 25, true}, {}, firstStep, 0.15);
         for (int step = 0; step < 200 && path.state().time < 0.15; ++step) {
             ASSERT_NO_THROW(path.advance()) << firstStep;
@@ -163,8 +163,8 @@ TEST(ArcLength, iterateOutsideTheRangeOfLoadsIsAFailedStepAndNotTheFormulasFault
     // A path that turns back at t = 0.19: the prediction of a long first step goes beyond
     // 0.25, where the load is no number.
     Beam line = truss(0.1, 1000, "t > 0.25 ? 1/0 : -t");
-    ArcLength path(line, NewtonOptions{1e-10, 25, true}, {}, 0.5, 1);
-    for (int step = 0; step < 10; ++step) {
+    ArcLength path(line, NewtonOptions{1e-10, 25, true}, {100, 1}, 0.5, 1);
+    for (int step = 0; step < 3; ++step) {
         ASSERT_NO_THROW(path.advance());
     }
     EXPECT_LE(path.state().time, limitLoad(0.1, 1000) * (1 + 1e-8));
