@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/kinematics/Coupling.hpp"
 
+#include "coupling/couplingMethods.hpp"
 #include "igaStructure/caseFile/describeSchema.hpp"
-#include "igaStructure/kinematics/couplingOptionsSchema.hpp"
 
 #include <fmt/format.h>
 
@@ -51,7 +51,7 @@ SchemaOf<Coupling> couplingSchema(WetParts parts) {
         {"mapping", mappingSchema(parts), "Transfer between fluid and structure."}};
     return (parts == WetParts::all ? SchemaOf<Coupling>() : SchemaOf<Coupling>().with(interface))
         .with(others)
-        .with(&Coupling::options, couplingOptionsSchema());
+        .with(&Coupling::options, coupling::couplingSchema());
 }
 
 std::string describeCoupling(const Coupling& coupling) {
@@ -66,7 +66,7 @@ std::string describeCoupling(const Coupling& coupling) {
         coupling.interface.empty() ? "the whole body"
                                    : fmt::format("{}", fmt::join(coupling.interface, " ")),
         coupling.method == TransferMethod::offset ? "offset" : "nearest element", coupling.gapLimit,
-        describeOptions(couplingOptionsSchema(), &options), substeps);
+        describeOptions(coupling::couplingSchema(), &options), substeps);
 }
 
 } // namespace tokay::structure
