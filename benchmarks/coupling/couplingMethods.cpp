@@ -5,6 +5,9 @@
 #include "ElasticTube.hpp"
 #include "Ring.hpp"
 #include "coupledRun.hpp"
+#include "coupling/block/BlockQuasiNewton.hpp"
+#include "coupling/fixedPoint/IqnIls.hpp"
+#include "coupling/fixedPoint/Mvqn.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -23,11 +26,6 @@ struct Problem {
     std::function<std::unique_ptr<CoupledModel>()> make;
     /// Evaluations of the block method in the prototype of the design, at 1e-8.
     std::optional<double> designed;
-};
-
-struct Candidate {
-    std::string name;
-    Acceleration acceleration;
 };
 
 std::unique_ptr<CoupledModel> tube() {
@@ -52,10 +50,7 @@ const std::vector<Problem> problems = {{"tube", tube, 3.3},
                                        ring(RingWall::geometric, 100, {}),
                                        ring(RingWall::geometric, 1000, 5.0)};
 
-const std::vector<Candidate> candidates = {{"aitken", Acceleration::aitken},
-                                           {"iqnIls", Acceleration::iqnIls},
-                                           {"mvqn", Acceleration::mvqn},
-                                           {"block", Acceleration::block}};
+const std::vector<std::string> candidates = {"aitken", "iqnIls", "mvqn", "block"};
 
 struct Setting {
     double tolerance;
@@ -72,25 +67,27 @@ std::vector<Setting> settings(bool quick) {
 
 /// Defaults, but for the guards that cost iterations where nothing drifts (filterLimit: noise
 /// that a difference is taken to have).
-CouplingOptions optionsFor(const Candidate& candidate, const Setting& setting) {
+CouplingOptions optionsFor(const std::string& candidate, const Setting& setting) {
     CouplingOptions options;
-    options.acceleration = candidate.acceleration;
-    options.keepFraction = 0;
-    options.largestColumns = 100;
-    options.fluidMemory = setting.imperfection.memory;
-    if (candidate.acceleration == Acceleration::block && setting.imperfection.noise == 0 &&
-        setting.imperfection.memory == 0) {
-        options.filterLimit = std::min(options.filterLimit, 1e-3);
+    options.acceleration.type = candidate;
+    auto& iqnIls = options.acceleration.of<IqnIls::Options>();
+    iqnIls.keepFraction = 0;
+    iqnIls.maxColumns = 100;
+    options.acceleration.of<Mvqn::Options>().keepFraction = 0;
+    auto& block = options.acceleration.of<BlockQuasiNewton::Options>();
+    block.fluidMemory = setting.imperfection.memory;
+    if (setting.imperfection.noise == 0 && setting.imperfection.memory == 0) {
+        block.filterLimit = std::min(block.filterLimit, 1e-3);
     }
     return options;
 }
 
 /// "" where the design names no number.
-std::string verdict(const Problem& problem, const Candidate& candidate, const Setting& setting,
+std::string verdict(const Problem& problem, const std::string& candidate, const Setting& setting,
                     const RunResult& result) {
     const Imperfection& imperfection = setting.imperfection;
-    if (candidate.acceleration != Acceleration::block || !problem.designed ||
-        setting.tolerance != 1e-8 || imperfection.noise > 0 || imperfection.memory > 0) {
+    if (candidate != "block" || !problem.designed || setting.tolerance != 1e-8 ||
+        imperfection.noise > 0 || imperfection.memory > 0) {
         return "";
     }
     const bool good = result.nFailed + result.nFailedAtStart == 0 &&
@@ -121,16 +118,16 @@ int main(int argc, char** argv) {
                     setting.tolerance, noise, memory);
         for (const Problem& problem : problems) {
             std::printf("%-22s", problem.name.c_str());
-            for (const Candidate& candidate : candidates) {
+            for (const std::string& candidate : candidates) {
                 const auto model = problem.make();
                 const RunResult result = coupledRun(*model, optionsFor(candidate, setting),
                                                     setting.tolerance, setting.imperfection);
                 const std::string judged = verdict(problem, candidate, setting, result);
                 good = good && judged != "MISSED";
-                std::printf(" %s %5.2f (%3d)", candidate.name.c_str(), result.meanEvaluations,
+                std::printf(" %s %5.2f (%3d)", candidate.c_str(), result.meanEvaluations,
                             result.nFailed);
                 std::fprintf(file, "%s,%s,%.0e,%g,%g,%.2f,%d,%d,%d,%d,%.1e,%s\n",
-                             problem.name.c_str(), candidate.name.c_str(), setting.tolerance, noise,
+                             problem.name.c_str(), candidate.c_str(), setting.tolerance, noise,
                              memory, result.meanEvaluations, result.largestEvaluations,
                              result.evaluationsOfFirstStep, result.nFailed, result.nFailedAtStart,
                              result.largestError, judged.c_str());

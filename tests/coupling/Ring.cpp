@@ -70,14 +70,17 @@ MatrixXd spectralDerivative(const MatrixXd& waves) {
 
 } // namespace
 
-Ring::Ring(RingWall wall, double massRatio)
-    : wall_(wall), angle_(VectorXd::LinSpaced(nPoints, 0, 2 * M_PI * (nPoints - 1) / nPoints)) {
+Ring::Ring(RingWall wall, double massRatio, RingFluid fluid)
+    : wall_(wall), fluid_(fluid),
+      angle_(VectorXd::LinSpaced(nPoints, 0, 2 * M_PI * (nPoints - 1) / nPoints)) {
     const MatrixXd w = waves(angle_);
     addedMass_ = massRatio * spectral(w, addedMassOf);
     stiffness_ = spectral(w, stiffnessOf);
     derivative_ = spectralDerivative(w);
     frequency_ = std::sqrt(stiffnessOf(2) / (1 + massRatio / 2));
     deltaT_ = 2 * M_PI / frequency_ / nStepsPerPeriod;
+    olderDeltaT_ = deltaT_;
+    rampTime_ = 5 * deltaT_;
     damping_ = 0.02 * frequency_ * (1 + massRatio / 2);
     x_ = velocity_ = acceleration_ = olderX_ = momentum_ = olderMomentum_ = VectorXd::Zero(nPoints);
 }
@@ -90,7 +93,7 @@ void Ring::beginTimeStep() {
 /// A travelling bump and two standing waves, raised over five steps.
 VectorXd Ring::drivingLoad() const {
     const double phase = frequency_ * time_;
-    const double ramp = std::min(1.0, time_ / (5 * deltaT_));
+    const double ramp = std::min(1.0, time_ / rampTime_);
     const auto angle = angle_.array();
     return loadAmplitude * ramp *
            (2 * (6 * ((angle - 0.7 * phase).cos() - 1)).exp() +
@@ -137,22 +140,42 @@ void Ring::linearise(const VectorXd& d) {
     factors_.compute(K);
 }
 
+/// Factors of the values now, before and before that in the rate of change now.
+Eigen::Vector3d Ring::differences() const {
+    if (fluid_.isEuler || olderDeltaT_ == 0) {
+        return Eigen::Vector3d(1, -1, 0) / deltaT_;
+    }
+    const double q = deltaT_ / olderDeltaT_;
+    return Eigen::Vector3d((1 + 2 * q) / (1 + q), -(1 + q), q * q / (1 + q)) / deltaT_;
+}
+
+VectorXd Ring::fluidVelocity(const VectorXd& x) const {
+    const Eigen::Vector3d c = differences();
+    return c[0] * x + c[1] * x_ + c[2] * olderX_;
+}
+
 VectorXd Ring::momentum(const VectorXd& x) const {
-    return addedMass_ * (3 * x - 4 * x_ + olderX_) / (2 * deltaT_);
+    return addedMass_ * fluidVelocity(x);
 }
 
 VectorXd Ring::fluid(const VectorXd& x) {
     if (!(x.cwiseAbs().maxCoeff() < 50)) {
         throw SolverError("the ring has left its fluid");
     }
-    return -(3 * momentum(x) - 4 * momentum_ + olderMomentum_) / (2 * deltaT_);
+    const Eigen::Vector3d c = differences();
+    return -(c[0] * momentum(x) + c[1] * momentum_ + c[2] * olderMomentum_) -
+           fluid_.damping * damping_ * fluidVelocity(x) - fluid_.stiffness * (stiffness_ * x);
 }
 
 /// The fluid responds linearly, by the full matrix J: Newton's method on the
 /// joint equations, whose balance is verified.
 VectorXd Ring::monolithic(const VectorXd& start) {
+    const MatrixXd identity = MatrixXd::Identity(nPoints, nPoints);
+    const double rate = differences()[0];
     LowRankMatrix J;
-    J.append(-std::pow(1.5 / deltaT_, 2) * addedMass_, MatrixXd::Identity(nPoints, nPoints));
+    J.append(-rate * rate * addedMass_ - fluid_.damping * damping_ * rate * identity -
+                 fluid_.stiffness * stiffness_,
+             identity);
     const VectorXd forces = fluid(start);
     const VectorXd x = BlockSystem(*this, forces, start, J).solve(start, 1e-12);
     const double imbalance = (residual(x) - fluid(x)).norm();
@@ -171,6 +194,7 @@ void Ring::acceptTimeStep(const VectorXd& x) {
     momentum_ = newMomentum;
     olderX_ = x_;
     x_ = x;
+    olderDeltaT_ = deltaT_;
 }
 
 } // namespace tokay::coupling

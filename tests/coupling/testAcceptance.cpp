@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-class Acceptance : public testing::TestWithParam<Acceleration> {};
+class Acceptance : public testing::TestWithParam<const char*> {};
 
 /// Iterates with the forces at x until the step has converged.
 VectorXd iterated(CouplingMethod& method, ElasticTube& tube, VectorXd x) {
@@ -28,7 +28,7 @@ TEST_P(Acceptance, finalForcesAboveTheLimitDoNotEndTheStepWhichThenConvergesToTh
     constexpr double tolerance = 1e-7;
     ElasticTube tube(10, 10, 0.01);
     CouplingOptions options;
-    options.acceleration = GetParam();
+    options.acceleration.type = GetParam();
     const auto method = makeCouplingMethod(options, tolerance, tube);
     for (int step = 0; step < 10; ++step) {
         tube.beginTimeStep();
@@ -51,14 +51,12 @@ TEST_P(Acceptance, finalForcesAboveTheLimitDoNotEndTheStepWhichThenConvergesToTh
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, Acceptance,
-                         testing::Values(Acceleration::aitken, Acceleration::iqnIls,
-                                         Acceleration::mvqn, Acceleration::block));
+INSTANTIATE_TEST_SUITE_P(Methods, Acceptance, testing::Values("aitken", "iqnIls", "mvqn", "block"));
 
 TEST(ExplicitAcceptance, explicitCouplingAcceptsWhateverTheResidual) {
     ElasticTube tube(10, 10, 0.01);
     CouplingOptions options;
-    options.acceleration = Acceleration::explicitCoupling;
+    options.acceleration.type = "explicit";
     const auto method = makeCouplingMethod(options, 1e-7, tube);
     tube.beginTimeStep();
     const VectorXd x = method->predict(tube.deltaT());

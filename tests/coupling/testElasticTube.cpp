@@ -3,6 +3,8 @@
 // cannot be coupled by plain iteration, against their monolithic solution.
 #include "ElasticTube.hpp"
 #include "coupling/couplingMethods.hpp"
+#include "coupling/fixedPoint/IqnIls.hpp"
+#include "coupling/fixedPoint/Mvqn.hpp"
 
 #include <gtest/gtest.h>
 
@@ -59,10 +61,11 @@ TEST(ElasticTube, iqnIlsNeedsNoMoreIterationsThanPublishedAndFindsTheMonolithicS
     } cases[] = {{0, 10.7}, {1, 7.0}, {4, 5.8}, {8, 5.3}};
     for (const auto& [reusedTimeSteps, publishedLimit] : cases) {
         CouplingOptions options;
-        options.acceleration = Acceleration::iqnIls;
-        options.extrapolation = Extrapolation::quadratic;
-        options.reusedTimeSteps = reusedTimeSteps;
-        options.keepFraction = 0; // this fluid has no drift to guard against
+        options.acceleration.type = "iqnIls";
+        options.predictor = Extrapolation::quadratic;
+        auto& iqnIls = options.acceleration.of<IqnIls::Options>();
+        iqnIls.reusedTimeSteps = reusedTimeSteps;
+        iqnIls.keepFraction = 0; // this fluid has no drift to guard against
         const Result result = runTube(options);
         std::printf(
             "reuse %d: %.2f coupling iterations per step (published at most %.1f), error %.1e\n",
@@ -77,10 +80,11 @@ TEST(ElasticTube, iqnIlsNeedsNoMoreIterationsThanPublishedAndFindsTheMonolithicS
 /// limits, those of eight reused steps, and its cost does not grow with time.
 TEST(ElasticTube, mvqnDoesAtLeastAsWellWithABoundedRank) {
     CouplingOptions options;
-    options.acceleration = Acceleration::mvqn;
-    options.extrapolation = Extrapolation::quadratic;
-    options.keepFraction = 0;
-    options.largestRank = 20; // restarts with ten, the number of unknowns
+    options.acceleration.type = "mvqn";
+    options.predictor = Extrapolation::quadratic;
+    auto& mvqn = options.acceleration.of<Mvqn::Options>();
+    mvqn.keepFraction = 0;
+    mvqn.maxRank = 20; // restarts with ten, the number of unknowns
     const Result result = runTube(options);
     std::printf("MVQN: %.2f coupling iterations per step, error %.1e\n", result.meanIterations,
                 result.largestError);
@@ -90,7 +94,7 @@ TEST(ElasticTube, mvqnDoesAtLeastAsWellWithABoundedRank) {
 
 TEST(ElasticTube, aitkenFindsTheMonolithicSolutionToo) {
     CouplingOptions options;
-    options.acceleration = Acceleration::aitken;
+    options.acceleration.type = "aitken";
     const Result result = runTube(options);
     std::printf("Aitken: %.2f coupling iterations per step, error %.1e\n", result.meanIterations,
                 result.largestError);
@@ -99,7 +103,7 @@ TEST(ElasticTube, aitkenFindsTheMonolithicSolutionToo) {
 
 TEST(ElasticTube, explicitCouplingDiverges) {
     CouplingOptions options;
-    options.acceleration = Acceleration::explicitCoupling;
+    options.acceleration.type = "explicit";
     ElasticTube tube(nCells, 10, 0.01);
     const auto method = makeCouplingMethod(options, tolerance, tube);
     const auto run = [&] {

@@ -41,7 +41,7 @@ void erase(std::vector<VectorXd>& columns, const std::vector<int>& dropped) {
 
 TEST(FilteredQr, factorsStayExactAsColumnsComeAndGo) {
     std::srand(7);
-    FilteredQr qr(QrFilter::qr2, 0);
+    FilteredQr qr({QrFilter::qr2, 0});
     std::vector<VectorXd> columns;
     std::size_t largest = 0;
     for (int i = 0; i < 200; ++i) {
@@ -63,7 +63,7 @@ TEST(FilteredQr, factorsStayExactAsColumnsComeAndGo) {
 
 TEST(FilteredQr, solvesTheLeastSquaresProblem) {
     std::srand(8);
-    FilteredQr qr(QrFilter::qr2, 1e-3);
+    FilteredQr qr({QrFilter::qr2, 1e-3});
     MatrixXd V(9, 4);
     for (int i = 3; i >= 0; --i) {
         V.col(i) = VectorXd::Random(9);
@@ -76,7 +76,7 @@ TEST(FilteredQr, solvesTheLeastSquaresProblem) {
 
 TEST(FilteredQr, dropsColumnsOfZeros) {
     for (const QrFilter filter : {QrFilter::qr1, QrFilter::qr2}) {
-        FilteredQr qr(filter, 0);
+        FilteredQr qr({filter, 0});
         EXPECT_EQ(qr.prepend(VectorXd::Zero(3)), std::vector<int>{0});
         EXPECT_TRUE(qr.prepend(VectorXd::Unit(3, 0)).empty());
         EXPECT_EQ(qr.prepend(VectorXd::Zero(3)), std::vector<int>{0});
@@ -86,7 +86,7 @@ TEST(FilteredQr, dropsColumnsOfZeros) {
 
 TEST(FilteredQr, dropsTheOlderOfTwoDependentColumns) {
     for (const QrFilter filter : {QrFilter::qr1, QrFilter::qr2}) {
-        FilteredQr qr(filter, 0);
+        FilteredQr qr({filter, 0});
         const VectorXd column = VectorXd::LinSpaced(5, 1, 2);
         qr.prepend(column);
         qr.prepend(VectorXd::Unit(5, 2));
@@ -97,7 +97,7 @@ TEST(FilteredQr, dropsTheOlderOfTwoDependentColumns) {
 
 TEST(FilteredQr, keepsTheNewestOfMoreColumnsThanRows) {
     std::srand(9);
-    FilteredQr qr(QrFilter::qr2, 0);
+    FilteredQr qr({QrFilter::qr2, 0});
     std::vector<VectorXd> columns;
     for (int i = 0; i < 10; ++i) {
         columns.insert(columns.begin(), VectorXd::Random(3));
@@ -111,17 +111,17 @@ TEST(FilteredQr, qr2JudgesAColumnByItsOwnLengthAndQr1ByTheLargest) {
     // Small but independent: 1e-4 of the other column, at right angles to it.
     const VectorXd large = VectorXd::Unit(4, 0);
     const VectorXd small = 1e-4 * VectorXd::Unit(4, 1);
-    FilteredQr qr2(QrFilter::qr2, 0.01);
+    FilteredQr qr2({QrFilter::qr2, 0.01});
     qr2.prepend(small);
     EXPECT_TRUE(qr2.prepend(large).empty());
-    FilteredQr qr1(QrFilter::qr1, 0.01);
+    FilteredQr qr1({QrFilter::qr1, 0.01});
     qr1.prepend(small);
     EXPECT_EQ(qr1.prepend(large), std::vector<int>{1});
 }
 
 TEST(FilteredQr, limitIsTheSineOfTheAngleToTheNewerColumns) {
     const auto dropsAtAngle = [](double sine) {
-        FilteredQr qr(QrFilter::qr2, 0.01);
+        FilteredQr qr({QrFilter::qr2, 0.01});
         VectorXd older(2);
         older << std::sqrt(1 - sine * sine), sine;
         qr.prepend(older);

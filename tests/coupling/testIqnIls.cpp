@@ -11,10 +11,10 @@ namespace {
 using Eigen::VectorXd;
 
 /// Without guards and filter: the method of the textbook.
-CouplingOptions bare() {
-    CouplingOptions options;
+IqnIls::Options bare() {
+    IqnIls::Options options;
     options.signalToNoise = 0;
-    options.largestStep = 0;
+    options.maxStep = 0;
     options.keepFraction = 0;
     options.filterLimit = 0;
     return options;
@@ -44,11 +44,9 @@ TEST(IqnIls, needsAllOfThem) {
 
 TEST(IqnIls, convergesWithItsDefaultGuardsWhereRelaxationDiverges) {
     const LinearResponse response = addedMass(strongAddedMass());
-    CouplingOptions options;
-    options.relaxation = 0.1;
-    ConstantRelaxation relaxation(options);
+    ConstantRelaxation relaxation({0.1});
     EXPECT_GT(response.error(iterated(relaxation, response, 20)), 1e10);
-    IqnIls method(options);
+    IqnIls method{IqnIls::Options()};
     EXPECT_LT(response.error(iterated(method, response, 20)), 1e-8);
 }
 
@@ -63,7 +61,7 @@ TEST(IqnIls, oneIterationIsEnoughInALaterStepOfALinearProblem) {
 
 TEST(IqnIls, reuseEndsAfterTheStepsAskedFor) {
     const LinearResponse response = addedMass(strongAddedMass());
-    CouplingOptions options = bare();
+    IqnIls::Options options = bare();
     options.reusedTimeSteps = 2;
     IqnIls method(options);
     iterated(method, response, 4);
@@ -77,8 +75,8 @@ TEST(IqnIls, reuseEndsAfterTheStepsAskedFor) {
 
 TEST(IqnIls, keepsOnlyTheNewestColumns) {
     const LinearResponse response = addedMass(strongAddedMass());
-    CouplingOptions options = bare();
-    options.largestColumns = 2;
+    IqnIls::Options options = bare();
+    options.maxColumns = 2;
     IqnIls method(options);
     iterated(method, response, 5);
     EXPECT_EQ(method.nColumns(), 2);
@@ -98,7 +96,7 @@ TEST(IqnIls, aRejectedStepTeachesNothing) {
 TEST(IqnIls, aMoveBelowTheFluidsOwnErrorTeachesNothing) {
     // |Δx|/|xTilde| is 0.1 here, and signalToNoise 3.
     const auto nColumnsAtResidual = [](double fluidResidual) {
-        IqnIls method{CouplingOptions()};
+        IqnIls method{IqnIls::Options()};
         method.beginTimeStep();
         method.next(VectorXd::Constant(2, 0.9), VectorXd::Constant(2, 1), fluidResidual);
         method.next(VectorXd::Constant(2, 1.0), VectorXd::Constant(2, 1), fluidResidual);
@@ -119,7 +117,7 @@ TEST(IqnIls, driftOfTheFluidAtTheSameDisplacementTeachesNothing) {
 TEST(IqnIls, stepIsLimitedToAMultipleOfTheResidual) {
     // xTilde = 0.9 x + 1: the secant alone would step 10 residuals far.
     const LinearResponse response{Eigen::MatrixXd::Constant(1, 1, 0.9), VectorXd::Ones(1)};
-    IqnIls method{CouplingOptions()};
+    IqnIls method{IqnIls::Options()};
     const VectorXd x1 = iterated(method, response, 1);
     const VectorXd x2 = method.next(x1, response(x1), 0);
     const double residual = (response(x1) - x1).norm();
@@ -130,7 +128,7 @@ TEST(IqnIls, stepIsLimitedToAMultipleOfTheResidual) {
 
 TEST(IqnIls, smallColumnsAreDroppedAtTheEndOfTheirStep) {
     const auto nKept = [](double keepFraction) {
-        CouplingOptions options = bare();
+        IqnIls::Options options = bare();
         options.keepFraction = keepFraction;
         IqnIls method(options);
         method.beginTimeStep();

@@ -14,11 +14,10 @@ using Eigen::VectorXd;
 constexpr double rounding = 1e-12; // of some hundred operations on values of size one
 
 /// Without guards and filter: the method of the textbook.
-CouplingOptions bare() {
-    CouplingOptions options;
-    options.acceleration = Acceleration::mvqn;
+MultiVectorOptions bare() {
+    MultiVectorOptions options;
     options.signalToNoise = 0;
-    options.largestStep = 0;
+    options.maxStep = 0;
     options.keepFraction = 0;
     options.filterLimit = 0;
     return options;
@@ -85,8 +84,8 @@ TEST(MultiVectorModel, learnsALinearMapFromStepsThatEachShowAPart) {
 TEST(MultiVectorModel, rankStaysBoundedAndRestartLosesNothingOfAMapOfSmallerRank) {
     std::srand(14);
     const MatrixXd A = MatrixXd::Random(50, 4) * MatrixXd::Random(4, 40);
-    CouplingOptions options = bare();
-    options.largestRank = 12;
+    MultiVectorOptions options = bare();
+    options.maxRank = 12;
     MultiVectorModel model(options);
     teach(model, A, 10);
     for (int step = 0; step < 30; ++step) {
@@ -97,6 +96,23 @@ TEST(MultiVectorModel, rankStaysBoundedAndRestartLosesNothingOfAMapOfSmallerRank
     const VectorXd v = VectorXd::Random(40);
     model.learn(v, A * v);
     EXPECT_LT((model.apply(v, 50) - A * v).norm(), 1e-10 * (A * v).norm());
+}
+
+TEST(MultiVectorModel, smallDifferencesAreNotCarriedOn) {
+    const auto learned = [](double keepFraction) {
+        MultiVectorOptions options = bare();
+        options.keepFraction = keepFraction;
+        MultiVectorModel model(options);
+        model.learn(VectorXd::Unit(3, 0), VectorXd::Unit(3, 0));
+        model.learn(VectorXd::Unit(3, 1), 0.04 * VectorXd::Unit(3, 1));
+        // Within the step they count.
+        EXPECT_NEAR(model.apply(VectorXd::Unit(3, 1), 3)[1], 0.04, rounding);
+        model.acceptTimeStep();
+        EXPECT_NEAR(model.apply(VectorXd::Unit(3, 0), 3)[0], 1, rounding);
+        return model.apply(VectorXd::Unit(3, 1), 3)[1];
+    };
+    EXPECT_NEAR(learned(0.03), 0.04, rounding);
+    EXPECT_NEAR(learned(0.05), 0, rounding);
 }
 
 TEST(MultiVectorModel, aRejectedStepIsForgotten) {

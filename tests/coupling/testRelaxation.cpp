@@ -16,16 +16,10 @@ LinearResponse scalarResponse(double slope) {
     return {Eigen::MatrixXd::Constant(1, 1, slope), VectorXd::Constant(1, 1)};
 }
 
-CouplingOptions constant(double relaxation) {
-    CouplingOptions options;
-    options.relaxation = relaxation;
-    return options;
-}
-
 TEST(ConstantRelaxation, convergesAtTheRateOfTheory) {
     // The error is multiplied by 1 - relaxation (1 - slope) each time.
     const LinearResponse response = scalarResponse(-3);
-    ConstantRelaxation relaxation(constant(0.2));
+    ConstantRelaxation relaxation({0.2});
     const double rate = std::abs(1 - 0.2 * (1 + 3));
     EXPECT_NEAR(response.error(iterated(relaxation, response, 10)), std::pow(rate, 10),
                 1e-13); // rounding errors of values of size one
@@ -33,22 +27,22 @@ TEST(ConstantRelaxation, convergesAtTheRateOfTheory) {
 
 TEST(ConstantRelaxation, divergesWhereTheAddedMassIsTooLarge) {
     const LinearResponse response = scalarResponse(-3);
-    ConstantRelaxation relaxation(constant(0.6)); // |1 - 0.6 * 4| > 1
+    ConstantRelaxation relaxation({0.6}); // |1 - 0.6 * 4| > 1
     EXPECT_GT(response.error(iterated(relaxation, response, 20)), 100);
 }
 
 TEST(Aitken, isExactForOneUnknownThatRespondsLinearly) {
     for (const double slope : {-3.0, -0.5, 0.2, -40.0}) {
         const LinearResponse response = scalarResponse(slope);
-        Aitken aitken{CouplingOptions()};
+        Aitken aitken{Aitken::Options()};
         EXPECT_LT(response.error(iterated(aitken, response, 2)), 1e-13) << "slope " << slope;
     }
 }
 
 TEST(Aitken, staysWithinItsBounds) {
-    CouplingOptions options;
-    options.smallestRelaxation = 0.05;
-    options.largestRelaxation = 0.4;
+    Aitken::Options options;
+    options.minRelaxation = 0.05;
+    options.maxRelaxation = 0.4;
     Aitken aitken(options);
     iterated(aitken, scalarResponse(-99), 2); // wants 0.01
     EXPECT_EQ(aitken.relaxation(), 0.05);
@@ -57,19 +51,32 @@ TEST(Aitken, staysWithinItsBounds) {
 }
 
 TEST(Aitken, startsAStepNoBolderThanItsFirst) {
-    Aitken aitken{CouplingOptions()};
+    Aitken aitken{Aitken::Options()};
     iterated(aitken, scalarResponse(0), 2);
     EXPECT_NEAR(aitken.relaxation(), 1, 1e-13);
     aitken.beginTimeStep();
-    EXPECT_EQ(aitken.relaxation(), CouplingOptions().initialRelaxation);
+    EXPECT_EQ(aitken.relaxation(), Aitken::Options().initialRelaxation);
+}
+
+TEST(Aitken, startsAStepAsCautiouslyAsTheLastOneEndedUnlessThatIsRejected) {
+    Aitken aitken{Aitken::Options()};
+    iterated(aitken, scalarResponse(-39), 2);
+    EXPECT_NEAR(aitken.relaxation(), 1 / 40.0, 1e-13); // exact for that slope
+    aitken.acceptTimeStep();
+    // The first move of the next step: of a fixed point at 1 / 40 a fortieth of the residual.
+    const VectorXd first = iterated(aitken, scalarResponse(-39), 1);
+    EXPECT_NEAR(first[0], 1 / 40.0, 1e-13);
+    aitken.rejectTimeStep();
+    aitken.beginTimeStep();
+    EXPECT_EQ(aitken.relaxation(), Aitken::Options().initialRelaxation);
 }
 
 TEST(Aitken, aResidualThatDoesNotChangeLeavesTheFactor) {
-    Aitken aitken{CouplingOptions()};
+    Aitken aitken{Aitken::Options()};
     aitken.beginTimeStep();
     const VectorXd x = VectorXd::Zero(1);
     aitken.next(x, VectorXd::Ones(1), 0);
-    EXPECT_EQ(aitken.next(x, VectorXd::Ones(1), 0)[0], CouplingOptions().initialRelaxation);
+    EXPECT_EQ(aitken.next(x, VectorXd::Ones(1), 0)[0], Aitken::Options().initialRelaxation);
 }
 
 } // namespace

@@ -11,8 +11,8 @@ using Eigen::VectorXd;
 
 constexpr int n = 6;
 
-CouplingOptions withoutLeastNoise() {
-    CouplingOptions options;
+ResponseOptions withoutLeastNoise() {
+    ResponseOptions options;
     options.filterLimit = 0;
     return options;
 }
@@ -68,7 +68,7 @@ TEST(ResponseModel, aDifferenceWithinItsNoiseChangesLittle) {
 }
 
 TEST(ResponseModel, differencesThatSayTheSameAreNotDividedByNothing) {
-    ResponseModel model{CouplingOptions()};
+    ResponseModel model{ResponseOptions()};
     model.beginTimeStep();
     const VectorXd v = VectorXd::Ones(n);
     model.learn(v, v, 0);
@@ -79,7 +79,7 @@ TEST(ResponseModel, differencesThatSayTheSameAreNotDividedByNothing) {
 }
 
 TEST(ResponseModel, aRejectedStepLeavesNoTrace) {
-    ResponseModel model{CouplingOptions()};
+    ResponseModel model{ResponseOptions()};
     model.beginTimeStep();
     model.learn(VectorXd::Unit(n, 0), VectorXd::Ones(n), 0);
     model.acceptTimeStep();
@@ -92,8 +92,8 @@ TEST(ResponseModel, aRejectedStepLeavesNoTrace) {
 
 TEST(ResponseModel, rankStaysBounded) {
     std::srand(5);
-    CouplingOptions options;
-    options.largestRank = 8;
+    ResponseOptions options;
+    options.maxRank = 8;
     ResponseModel model(options);
     for (int step = 0; step < 20; ++step) {
         model.beginTimeStep();

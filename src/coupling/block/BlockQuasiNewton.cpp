@@ -20,12 +20,24 @@ constexpr double newtonFraction = 0.1;
 
 } // namespace
 
+const SchemaOf<BlockQuasiNewton::Options>& BlockQuasiNewton::Options::schema() {
+    static const SchemaOf<Options> schema =
+        SchemaOf<Options>()
+            .with(InitialRelaxation::schema())
+            .with(ResponseOptions::schema())
+            .with(SchemaOf<Options>{
+                {"signalToNoise", &Options::signalToNoise, "[0, inf)", "",
+                 "Noise by which differences are weighted, in units of the fluid's residual; 0: "
+                 "none."}})
+            .with(FluidLag::Options::schema());
+    return schema;
+}
+
 BlockQuasiNewton::BlockQuasiNewton(const CouplingOptions& options, double tolerance,
                                    LinearisedStructure& structure)
-    : options_(options), criteria_(options, tolerance), structure_(structure),
-      predictor_(options.extrapolation, structure.acceptedUnknowns()), model_(options),
-      lag_(options.fluidMemory, options.memoryContrast), now_(at(structure.acceptedUnknowns())),
-      next_(now_) {}
+    : options_(options.acceleration.of<Options>()), criteria_(options.convergence, tolerance),
+      structure_(structure), predictor_(options.predictor, structure.acceptedUnknowns()),
+      model_(options_), lag_(options_), now_(at(structure.acceptedUnknowns())), next_(now_) {}
 
 BlockQuasiNewton::InterfaceState BlockQuasiNewton::at(const VectorXd& d) const {
     return {d, structure_.displacements(d)};

@@ -3,11 +3,10 @@
 
 #include "coupling/block/FluidLag.hpp"
 #include "coupling/block/ResponseModel.hpp"
-#include "coupling/step/ConvergenceCriteria.hpp"
 #include "coupling/step/CoupledStructure.hpp"
 #include "coupling/step/CouplingMethod.hpp"
 #include "coupling/step/CouplingOptions.hpp"
-#include "coupling/step/Predictor.hpp"
+#include "coupling/step/InitialRelaxation.hpp"
 
 namespace tokay::coupling {
 
@@ -16,11 +15,14 @@ namespace tokay::coupling {
 /// forces do to the structure. Each coupling iteration solves the structure in a
 /// fluid that responds by J (@see BlockSystem). If there is no solution with J, J is
 /// reset and the structural solution relaxed, as before anything is learned.
-///
-/// Uses initialRelaxation, filterLimit, largestRank, rankLimit, signalToNoise
-/// (weighs differences, @see ResponseModel), fluidMemory, memoryContrast.
 class BlockQuasiNewton : public CouplingMethod {
   public:
+    struct Options : InitialRelaxation, ResponseOptions, FluidLag::Options {
+        double signalToNoise = 3;
+
+        static const SchemaOf<Options>& schema();
+    };
+
     /// @param tolerance  of the fluid, relative; @see ConvergenceCriteria
     /// @param structure  is kept by reference
     /// @throws InputError if the tolerance is out of its range
@@ -53,7 +55,7 @@ class BlockQuasiNewton : public CouplingMethod {
     Eigen::VectorXd newtonPrediction(const Eigen::VectorXd& loads) const;
     InterfaceState nextState(const Eigen::VectorXd& loads);
 
-    const CouplingOptions options_;
+    const Options options_;
     ConvergenceCriteria criteria_;
     LinearisedStructure& structure_;
     Predictor predictor_; ///< of d

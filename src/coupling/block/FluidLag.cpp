@@ -18,7 +18,7 @@ void FluidLag::beginTimeStep() {
 }
 
 Eigen::VectorXd FluidLag::corrected(const Eigen::VectorXd& loads) {
-    if (share_ == 0) {
+    if (options_.fluidMemory == 0) {
         return loads;
     }
     const Last before = last_;
@@ -28,14 +28,15 @@ Eigen::VectorXd FluidLag::corrected(const Eigen::VectorXd& loads) {
         isFirst_ = false;
         return loads;
     }
-    const double q = correctedPart * share_;
+    const double q = correctedPart * options_.fluidMemory;
     return (loads - q * before.loads) / (1 - q);
 }
 
 // Compares with the lag that the correction has left.
 bool FluidLag::isInformative() const {
-    const double left = (1 - correctedPart) * share_ / (1 - correctedPart * share_);
-    return last_.change >= contrast_ * left / (1 - left) * changeBefore_;
+    const double q = options_.fluidMemory;
+    const double left = (1 - correctedPart) * q / (1 - correctedPart * q);
+    return last_.change >= options_.memoryContrast * left / (1 - left) * changeBefore_;
 }
 
 void FluidLag::save(StateWriter& state) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "common/Schema.hpp"
 #include "coupling/step/StepHistory.hpp"
 
 #include <Eigen/Core>
@@ -13,10 +14,23 @@ namespace tokay::coupling {
 /// differences are worth learning.
 class FluidLag : public StepHistory {
   public:
-    /// @param share     q, at least 0 and below 1; 0: the fluid converges
-    /// @param contrast  how many times a difference must exceed what the last
-    ///                  one can have left behind
-    FluidLag(double share, double contrast) : share_(share), contrast_(contrast) {}
+    struct Options {
+        double fluidMemory = 0; ///< q; 0: the fluid converges
+        double memoryContrast = 5;
+
+        static const SchemaOf<Options>& schema() {
+            static const SchemaOf<Options> schema = {
+                {"fluidMemory", &Options::fluidMemory, "[0, 1)", "",
+                 "Fraction of its last response that the fluid keeps from one coupling iteration "
+                 "to the next, for which the forces are corrected."},
+                {"memoryContrast", &Options::memoryContrast, "[0, inf)", "",
+                 "A difference is used if it exceeds this multiple of what the last one has left "
+                 "behind by the fluid's memory."}};
+            return schema;
+        }
+    };
+
+    explicit FluidLag(const Options& options) : options_(options) {}
 
     void beginTimeStep() override;
 
@@ -38,8 +52,7 @@ class FluidLag : public StepHistory {
         double change = 0;     ///< |L_k - L_{k-1}|
     };
 
-    double share_;
-    double contrast_;
+    Options options_;
     bool isFirst_ = true;
     Last last_;
     Last atBegin_;

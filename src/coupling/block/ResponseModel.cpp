@@ -25,7 +25,7 @@ void ResponseModel::learn(const VectorXd& v, const VectorXd& w, double noise) {
 }
 
 void ResponseModel::acceptTimeStep() {
-    J_.limitRank(options_.largestRank, options_.rankLimit);
+    J_.limitRank(options_);
 }
 
 } // namespace tokay::coupling

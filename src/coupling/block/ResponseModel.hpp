@@ -2,10 +2,23 @@
 #pragma once
 
 #include "coupling/history/LowRankMatrix.hpp"
-#include "coupling/step/CouplingOptions.hpp"
 #include "coupling/step/StepHistory.hpp"
 
 namespace tokay::coupling {
+
+struct ResponseOptions : RankOptions {
+    double filterLimit = 0.01;
+
+    static const SchemaOf<ResponseOptions>& schema() {
+        static const SchemaOf<ResponseOptions> schema =
+            SchemaOf<ResponseOptions>()
+                .with(RankOptions::schema())
+                .with(SchemaOf<ResponseOptions>{
+                    {"filterLimit", &ResponseOptions::filterLimit, "[0, 1)", "",
+                     "Minimum noise of a difference relative to its length."}});
+        return schema;
+    }
+};
 
 /// A Jacobian J learned from noisy differences v -> w and carried from step to
 /// step. P, the identity at the start of a step, says in which directions of v
@@ -14,14 +27,14 @@ namespace tokay::coupling {
 ///   J += (w - J v) gᵀ,  P -= P v gᵀ,  g = P v / (vᵀ P v + λ²).
 /// Without noise that is the multi-vector method: of all matrices that satisfy
 /// the differences of the step the nearest to the last step's. J is compressed
-/// whenever its rank exceeds largestRank, so that time and memory stay bounded.
+/// whenever its rank exceeds maxRank, so that time and memory stay bounded.
 /// Source: Ljung 1999, System Identification, 2nd edition, section 11.2
 /// (recursive least squares as a Kalman filter).
 class ResponseModel : public StepHistory {
   public:
     /// Uses filterLimit, the least noise of a difference over the part of it that
-    /// the step has observed already, and largestRank, rankLimit.
-    explicit ResponseModel(const CouplingOptions& options) : options_(options) {}
+    /// the step has observed already, and maxRank, rankLimit.
+    explicit ResponseModel(const ResponseOptions& options) : options_(options) {}
 
     void beginTimeStep() override;
 
@@ -49,7 +62,7 @@ class ResponseModel : public StepHistory {
     void scale(double factor) { J_.scale(factor); }
 
   private:
-    CouplingOptions options_;
+    ResponseOptions options_;
     LowRankMatrix J_;
     LowRankMatrix atBegin_;  ///< J, restored if the step is rejected
     LowRankMatrix observed_; ///< 1 - P

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "coupling/step/CouplingOptions.hpp"
 #include "coupling/step/StepHistory.hpp"
 
 #include <Eigen/Core>
@@ -9,7 +8,8 @@
 namespace tokay::coupling {
 
 /// Finds the next displacement in the search for x = x̃, where x̃ is the structural
-/// solution for the fluid's forces at x. Constructed from CouplingOptions.
+/// solution for the fluid's forces at x. Each has a type
+/// Options with its schema, from which it is constructed.
 class Accelerator : public StepHistory {
   public:
     /// @param x              displacement that the forces belong to

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "coupling/fixedPoint/Accelerator.hpp"
+#include "coupling/step/InitialRelaxation.hpp"
 
 namespace tokay::coupling {
 
@@ -11,8 +12,15 @@ namespace tokay::coupling {
 /// solvers with dynamic relaxation, eq. 44.
 class Aitken : public Accelerator {
   public:
-    /// Uses initialRelaxation, smallestRelaxation, largestRelaxation.
-    explicit Aitken(const CouplingOptions& options);
+    struct Options : InitialRelaxation {
+        double minRelaxation = 0.01;
+        double maxRelaxation = 1.5;
+
+        static const SchemaOf<Options>& schema();
+    };
+
+    /// @throws InputError if minRelaxation exceeds maxRelaxation
+    explicit Aitken(const Options& options);
 
     void beginTimeStep() override;
     Eigen::VectorXd next(const Eigen::VectorXd& x, const Eigen::VectorXd& xTilde,
@@ -26,9 +34,7 @@ class Aitken : public Accelerator {
   private:
     void updateRelaxation(const Eigen::VectorXd& residual);
 
-    double initial_;
-    double smallest_;
-    double largest_;
+    Options options_;
     double relaxation_;
     Eigen::VectorXd previousResidual_; ///< empty: first coupling iteration of the step
     Eigen::VectorXd previousX_;        ///< that it belongs to

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "common/Schema.hpp"
 #include "coupling/fixedPoint/Accelerator.hpp"
 
 namespace tokay::coupling {
@@ -8,7 +9,18 @@ namespace tokay::coupling {
 /// x + relaxation (xTilde - x)
 class ConstantRelaxation : public Accelerator {
   public:
-    explicit ConstantRelaxation(const CouplingOptions& options) : relaxation_(options.relaxation) {}
+    struct Options {
+        double relaxation = 0.5;
+
+        static const SchemaOf<Options>& schema() {
+            static const SchemaOf<Options> schema = {
+                {"relaxation", &Options::relaxation, "(0, 2]", "",
+                 "Relaxation factor: fraction of the residual that is added."}};
+            return schema;
+        }
+    };
+
+    explicit ConstantRelaxation(const Options& options) : relaxation_(options.relaxation) {}
 
     Eigen::VectorXd next(const Eigen::VectorXd& x, const Eigen::VectorXd& xTilde,
                          double /*fluidResidual*/) override {

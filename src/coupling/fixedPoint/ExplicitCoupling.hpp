@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "common/Schema.hpp"
 #include "coupling/fixedPoint/Accelerator.hpp"
 
 namespace tokay::coupling {
@@ -9,7 +10,14 @@ namespace tokay::coupling {
 /// time step is enough.
 class ExplicitCoupling : public Accelerator {
   public:
-    explicit ExplicitCoupling(const CouplingOptions&) {}
+    struct Options {
+        static const SchemaOf<Options>& schema() {
+            static const SchemaOf<Options> none;
+            return none;
+        }
+    };
+
+    explicit ExplicitCoupling(const Options&) {}
 
     bool iterates() const override { return false; }
     Eigen::VectorXd next(const Eigen::VectorXd& x, const Eigen::VectorXd& /*xTilde*/,

@@ -13,8 +13,9 @@ using Eigen::VectorXd;
 
 FixedPoint::FixedPoint(const CouplingOptions& options, double tolerance,
                        CoupledStructure& structure, std::unique_ptr<Accelerator> accelerator)
-    : acceleration_(options.acceleration), structure_(structure), criteria_(options, tolerance),
-      predictor_(options.extrapolation, structure.acceptedDisplacements()),
+    : acceleration_(options.acceleration.type), structure_(structure),
+      criteria_(options.convergence, tolerance),
+      predictor_(options.predictor, structure.acceptedDisplacements()),
       accelerator_(std::move(accelerator)), x_(structure.acceptedDisplacements()), next_(x_) {}
 
 const VectorXd& FixedPoint::predict(double deltaT) {
@@ -62,13 +63,13 @@ void FixedPoint::reject() {
 
 void FixedPoint::save(StateWriter& state) const {
     predictor_.save(state);
-    state.integer(static_cast<int>(acceleration_));
+    state.text(acceleration_);
     accelerator_->save(state);
 }
 
 void FixedPoint::restore(StateReader& state) {
     predictor_.restore(state);
-    if (state.integer() == static_cast<int>(acceleration_)) {
+    if (state.text() == acceleration_) {
         accelerator_->restore(state);
     }
 }

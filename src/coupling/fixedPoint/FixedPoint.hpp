@@ -2,10 +2,9 @@
 #pragma once
 
 #include "coupling/fixedPoint/Accelerator.hpp"
-#include "coupling/step/ConvergenceCriteria.hpp"
 #include "coupling/step/CoupledStructure.hpp"
 #include "coupling/step/CouplingMethod.hpp"
-#include "coupling/step/Predictor.hpp"
+#include "coupling/step/CouplingOptions.hpp"
 
 #include <memory>
 
@@ -37,7 +36,7 @@ class FixedPoint : public CouplingMethod {
     const Eigen::VectorXd& x() const override { return x_; }
 
   private:
-    const Acceleration acceleration_;
+    const std::string acceleration_;
     CoupledStructure& structure_;
     ConvergenceCriteria criteria_;
     Predictor predictor_;

@@ -8,13 +8,23 @@
 
 namespace tokay::coupling {
 
-IqnIls::IqnIls(const CouplingOptions& options)
-    : QuasiNewton(options), model_{FilteredQr(options.filter, options.filterLimit), {}},
+const SchemaOf<IqnIls::Options>& IqnIls::Options::schema() {
+    static const SchemaOf<Options> schema =
+        SchemaOf<Options>{{"reusedTimeSteps", &Options::reusedTimeSteps, "[0, inf)", "",
+                           "Number of earlier time steps whose differences are used."},
+                          {"maxColumns", &Options::maxColumns, "[1, inf)", "",
+                           "Maximum number of differences, the newest ones."}}
+            .with(QuasiNewtonOptions::schema());
+    return schema;
+}
+
+IqnIls::IqnIls(const Options& options)
+    : QuasiNewton(options), options_(options), model_{FilteredQr(options), {}},
       modelAtBegin_(model_) {}
 
 void IqnIls::beginTimeStep() {
     QuasiNewton::beginTimeStep();
-    while (!model_.W.empty() && model_.W.back().step < step_ - options().reusedTimeSteps) {
+    while (!model_.W.empty() && model_.W.back().step < step_ - options_.reusedTimeSteps) {
         model_.removeOldest();
     }
     modelAtBegin_ = model_;
@@ -25,7 +35,7 @@ void IqnIls::learn(const Eigen::VectorXd& v, const Eigen::VectorXd& w) {
     for (const int column : model_.V.prepend(v)) {
         model_.W.erase(model_.W.begin() + column);
     }
-    while (nColumns() > options().largestColumns) {
+    while (nColumns() > options_.maxColumns) {
         model_.removeOldest();
     }
 }
@@ -48,7 +58,7 @@ void IqnIls::acceptTimeStep() {
     }
     for (int i = nColumns() - 1; i >= 0; --i) {
         const Column& column = model_.W[static_cast<std::size_t>(i)];
-        if (column.step == step_ && column.w.norm() < options().keepFraction * largest) {
+        if (column.step == step_ && column.w.norm() < options_.keepFraction * largest) {
             model_.remove(i);
         }
     }

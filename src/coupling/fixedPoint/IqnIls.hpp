@@ -2,7 +2,6 @@
 #pragma once
 
 #include "coupling/fixedPoint/QuasiNewton.hpp"
-#include "coupling/history/FilteredQr.hpp"
 
 #include <deque>
 
@@ -15,7 +14,14 @@ namespace tokay::coupling {
 /// procedure versus a monolithic procedure in fluid–structure interaction.
 class IqnIls : public QuasiNewton {
   public:
-    explicit IqnIls(const CouplingOptions& options);
+    struct Options : QuasiNewtonOptions {
+        int reusedTimeSteps = 15;
+        int maxColumns = 30;
+
+        static const SchemaOf<Options>& schema();
+    };
+
+    explicit IqnIls(const Options& options);
 
     void beginTimeStep() override;
     void acceptTimeStep() override;
@@ -41,6 +47,7 @@ class IqnIls : public QuasiNewton {
         void removeOldest() { remove(V.nColumns() - 1); }
     };
 
+    Options options_;
     Model model_;
     Model modelAtBegin_; ///< restored if the step is rejected
     int step_ = 0;

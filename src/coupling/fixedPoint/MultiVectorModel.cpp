@@ -5,8 +5,8 @@
 
 namespace tokay::coupling {
 
-MultiVectorModel::MultiVectorModel(const CouplingOptions& options)
-    : options_(options), V_(options.filter, options.filterLimit) {}
+MultiVectorModel::MultiVectorModel(const MultiVectorOptions& options)
+    : options_(options), V_(options) {}
 
 void MultiVectorModel::learn(const Eigen::VectorXd& v, const Eigen::VectorXd& w) {
     columns_.push_front({w - old_.apply(v, w.size()), w.norm()});
@@ -63,7 +63,7 @@ void MultiVectorModel::acceptTimeStep() {
         }
     }
     old_ = matrix();
-    old_.limitRank(options_.largestRank, options_.rankLimit);
+    old_.limitRank(options_);
     rejectTimeStep();
 }
 

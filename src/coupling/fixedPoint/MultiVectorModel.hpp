@@ -1,28 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "coupling/history/FilteredQr.hpp"
+#include "coupling/fixedPoint/QuasiNewton.hpp"
 #include "coupling/history/LowRankMatrix.hpp"
-#include "coupling/step/CouplingOptions.hpp"
 #include "coupling/step/StepHistory.hpp"
 
 #include <deque>
 
 namespace tokay::coupling {
 
+struct MultiVectorOptions : QuasiNewtonOptions, RankOptions {
+    static const SchemaOf<MultiVectorOptions>& schema() {
+        static const SchemaOf<MultiVectorOptions> schema = SchemaOf<MultiVectorOptions>()
+                                                               .with(RankOptions::schema())
+                                                               .with(QuasiNewtonOptions::schema());
+        return schema;
+    }
+};
+
 /// A Jacobian learned from differences v -> w and carried from step to step:
 ///   J = Jₙ + (W - Jₙ V) R⁻¹ Qᵀ,  V = Q R the differences of this step,
 /// of all matrices that satisfy J V = W the nearest to Jₙ, the one accepted in
 /// the last step. Jₙ is kept as a product of low rank, compressed whenever it
-/// exceeds largestRank, so that time and memory stay bounded.
+/// exceeds maxRank, so that time and memory stay bounded.
 /// Source: Lindner, Mehl, Scheufele & Uekermann 2015, A comparison of various
 /// quasi-Newton schemes for partitioned fluid–structure interaction; restart
 /// by singular values: Scheufele & Mehl 2017, Robust multisecant quasi-Newton
 /// variants for parallel fluid–structure simulations.
 class MultiVectorModel : public StepHistory {
   public:
-    /// Uses filter, filterLimit, keepFraction, largestRank, rankLimit.
-    explicit MultiVectorModel(const CouplingOptions& options);
+    /// Uses filter, filterLimit, keepFraction, maxRank, rankLimit.
+    explicit MultiVectorModel(const MultiVectorOptions& options);
 
     /// Takes the pair v -> w, of this step.
     void learn(const Eigen::VectorXd& v, const Eigen::VectorXd& w);
@@ -55,7 +63,7 @@ class MultiVectorModel : public StepHistory {
 
     LowRankMatrix update() const;
 
-    CouplingOptions options_;
+    MultiVectorOptions options_;
     LowRankMatrix old_; ///< Jₙ
     FilteredQr V_;
     std::deque<Column> columns_; ///< beside those of V

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "coupling/fixedPoint/MultiVectorModel.hpp"
-#include "coupling/fixedPoint/QuasiNewton.hpp"
 
 namespace tokay::coupling {
 
@@ -10,7 +9,9 @@ namespace tokay::coupling {
 /// to step, differences never mix across steps. @see MultiVectorModel
 class Mvqn : public QuasiNewton {
   public:
-    explicit Mvqn(const CouplingOptions& options) : QuasiNewton(options), model_(options) {}
+    using Options = MultiVectorOptions;
+
+    explicit Mvqn(const Options& options) : QuasiNewton(options), model_(options) {}
 
     void acceptTimeStep() override { model_.acceptTimeStep(); }
     void rejectTimeStep() override { model_.rejectTimeStep(); }

@@ -3,6 +3,24 @@
 
 namespace tokay::coupling {
 
+const SchemaOf<QuasiNewtonOptions>& QuasiNewtonOptions::schema() {
+    using Options = QuasiNewtonOptions;
+    static const SchemaOf<Options> guards = {
+        {"signalToNoise", &Options::signalToNoise, "[0, inf)", "",
+         "A difference is used if its length relative to the displacement exceeds this multiple of "
+         "the fluid's residual; 0: always."},
+        {"maxStep", &Options::maxStep, "[0, inf)", "",
+         "Maximum length of a step in units of the residual; 0: unlimited."},
+        {"keepFraction", &Options::keepFraction, "[0, 1)", "",
+         "At the end of a time step its differences below this fraction of its largest are "
+         "dropped; 0: none."}};
+    static const SchemaOf<Options> schema = SchemaOf<Options>()
+                                                .with(InitialRelaxation::schema())
+                                                .with(FilterOptions::schema())
+                                                .with(guards);
+    return schema;
+}
+
 Eigen::VectorXd QuasiNewton::next(const Eigen::VectorXd& x, const Eigen::VectorXd& xTilde,
                                   double fluidResidual) {
     const Iterate now{x, xTilde};
@@ -27,7 +45,7 @@ bool QuasiNewton::isInformative(const Iterate& now, double fluidResidual) const 
 }
 
 void QuasiNewton::limit(Eigen::VectorXd& move, double residualNorm) const {
-    const double longest = options_.largestStep * residualNorm;
+    const double longest = options_.maxStep * residualNorm;
     if (longest > 0 && move.norm() > longest) {
         move *= longest / move.norm();
     }

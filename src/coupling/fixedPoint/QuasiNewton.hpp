@@ -2,18 +2,30 @@
 #pragma once
 
 #include "coupling/fixedPoint/Accelerator.hpp"
+#include "coupling/history/FilteredQr.hpp"
+#include "coupling/step/InitialRelaxation.hpp"
 
 namespace tokay::coupling {
+
+/// Options that the interface quasi-Newton methods share; the last three guard against a
+/// fluid that has not converged.
+struct QuasiNewtonOptions : InitialRelaxation, FilterOptions {
+    double signalToNoise = 3;
+    double maxStep = 2;
+    double keepFraction = 0.05;
+
+    static const SchemaOf<QuasiNewtonOptions>& schema();
+};
 
 /// What the interface quasi-Newton methods share: x + residual - J residual,
 /// where J ≈ d xTilde / d residual is learned from differences between the
 /// coupling iterations of a step (V of the residual, W of xTilde).
 ///
 /// In a fluid that has not converged the differences also carry its own drift;
-/// the guards (signalToNoise, largestStep, keepFraction) keep that out.
+/// the guards (signalToNoise, maxStep, keepFraction) keep that out.
 class QuasiNewton : public Accelerator {
   public:
-    explicit QuasiNewton(const CouplingOptions& options) : options_(options) {}
+    explicit QuasiNewton(const QuasiNewtonOptions& options) : options_(options) {}
 
     void beginTimeStep() override { previous_ = {}; }
     Eigen::VectorXd next(const Eigen::VectorXd& x, const Eigen::VectorXd& xTilde,
@@ -29,8 +41,6 @@ class QuasiNewton : public Accelerator {
     /// J residual
     virtual Eigen::VectorXd response(const Eigen::VectorXd& residual) const = 0;
 
-    const CouplingOptions& options() const { return options_; }
-
   private:
     struct Iterate {
         Eigen::VectorXd x;
@@ -40,7 +50,7 @@ class QuasiNewton : public Accelerator {
     bool isInformative(const Iterate& now, double fluidResidual) const;
     void limit(Eigen::VectorXd& move, double residualNorm) const;
 
-    CouplingOptions options_;
+    QuasiNewtonOptions options_;
     Iterate previous_; ///< empty: first coupling iteration of the step
 };
 

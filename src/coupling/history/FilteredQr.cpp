@@ -29,6 +29,17 @@ Eigen::VectorXd orthogonalise(const std::vector<Eigen::VectorXd>& q, Eigen::Vect
 
 } // namespace
 
+const SchemaOf<FilterOptions>& FilterOptions::schema() {
+    static const Choices<QrFilter> filters = {
+        {"qr1", QrFilter::qr1, "by the diagonal of R relative to its norm."},
+        {"qr2", QrFilter::qr2,
+         "by the part of a difference orthogonal to the newer ones relative to its length."}};
+    static const SchemaOf<FilterOptions> schema = {
+        {"filter", &FilterOptions::filter, filters, "Which differences count as dependent."},
+        {"filterLimit", &FilterOptions::filterLimit, "[0, 1)", "", "Limit of the filter."}};
+    return schema;
+}
+
 std::vector<int> FilteredQr::prepend(const Eigen::VectorXd& column) {
     const int n = nColumns();
     Eigen::VectorXd rest = column;
@@ -116,8 +127,8 @@ void FilteredQr::rotate(int row, int column) {
 }
 
 bool FilteredQr::isDependent(int column) const {
-    const double scale = filter_ == QrFilter::qr1 ? r_.norm() : r_.col(column).norm();
-    return std::abs(r_(column, column)) <= std::max(limit_, columnRounding) * scale;
+    const double scale = options_.filter == QrFilter::qr1 ? r_.norm() : r_.col(column).norm();
+    return std::abs(r_(column, column)) <= std::max(options_.filterLimit, columnRounding) * scale;
 }
 
 Eigen::VectorXd FilteredQr::solve(const Eigen::VectorXd& rightHandSide) const {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "coupling/step/CouplingOptions.hpp"
+#include "common/Schema.hpp"
 
 #include <Eigen/Core>
 
@@ -12,12 +12,25 @@ namespace tokay::coupling {
 class StateReader;
 class StateWriter;
 
+/// Which columns of a least-squares problem count as dependent, newest first.
+enum class QrFilter {
+    qr1, ///< diagonal entry of R below filterLimit x norm of R
+    qr2  ///< part orthogonal to the newer columns below filterLimit x column
+};
+
+struct FilterOptions {
+    QrFilter filter = QrFilter::qr2;
+    double filterLimit = 0.01;
+
+    static const SchemaOf<FilterOptions>& schema();
+};
+
 /// QR factors of a few columns, newest first, updated as columns come and go:
 /// the least-squares core of the quasi-Newton methods. Columns that depend on
 /// newer ones, and columns of zeros, are dropped, never divided by.
 class FilteredQr {
   public:
-    FilteredQr(QrFilter filter, double limit) : filter_(filter), limit_(limit) {}
+    explicit FilteredQr(const FilterOptions& options) : options_(options) {}
 
     int nColumns() const { return static_cast<int>(q_.size()); }
 
@@ -46,8 +59,7 @@ class FilteredQr {
     void rotate(int row, int column);
     bool isDependent(int column) const;
 
-    QrFilter filter_;
-    double limit_;
+    FilterOptions options_;
     std::vector<Eigen::VectorXd> q_;
     Eigen::MatrixXd r_;
 };

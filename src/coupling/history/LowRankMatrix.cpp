@@ -46,7 +46,7 @@ void LowRankMatrix::append(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
     }
 }
 
-void LowRankMatrix::compress(int largestRank, double relativeLimit) {
+void LowRankMatrix::compress(int maxRank, double relativeLimit) {
     if (rank() == 0) {
         return;
     }
@@ -56,17 +56,17 @@ void LowRankMatrix::compress(int largestRank, double relativeLimit) {
                                              Eigen::ComputeThinU | Eigen::ComputeThinV);
     const Eigen::VectorXd& values = svd.singularValues();
     Eigen::Index n = 0;
-    while (n < values.size() && n < largestRank && values[n] > relativeLimit * values[0]) {
+    while (n < values.size() && n < maxRank && values[n] > relativeLimit * values[0]) {
         ++n;
     }
     A_ = a.Q * svd.matrixU().leftCols(n) * values.head(n).asDiagonal();
     B_ = b.Q * svd.matrixV().leftCols(n);
 }
 
-void LowRankMatrix::limitRank(int largestRank, double relativeLimit) {
+void LowRankMatrix::limitRank(const RankOptions& options) {
     const auto full = static_cast<int>(std::min(A_.rows(), B_.rows()));
-    if (rank() > std::min(largestRank, 2 * full)) {
-        compress(largestRank / 2, relativeLimit);
+    if (rank() > std::min(options.maxRank, 2 * full)) {
+        compress(options.maxRank / 2, options.rankLimit);
     }
 }
 

@@ -1,12 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "common/Schema.hpp"
+
 #include <Eigen/Core>
 
 namespace tokay::coupling {
 
 class StateReader;
 class StateWriter;
+
+/// How large a matrix that grows from time step to time step may become.
+struct RankOptions {
+    int maxRank = 200;
+    double rankLimit = 1e-6;
+
+    static const SchemaOf<RankOptions>& schema() {
+        static const SchemaOf<RankOptions> schema = {
+            {"maxRank", &RankOptions::maxRank, "[2, inf)", "",
+             "Maximum rank of the Jacobian; beyond it, compressed to half by singular values."},
+            {"rankLimit", &RankOptions::rankLimit, "[0, 1)", "",
+             "Singular values below this fraction of the largest are dropped on compression."}};
+        return schema;
+    }
+};
 
 /// A Bᵀ: a matrix of many rows and columns and of small rank, which grows by
 /// appended terms and can be compressed to its largest singular values.
@@ -18,15 +35,15 @@ class LowRankMatrix {
     /// Adds A Bᵀ; A and B have as many columns as the term has rank.
     void append(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 
-    /// Keeps at most largestRank singular values, and none below relativeLimit
+    /// Keeps at most maxRank singular values, and none below relativeLimit
     /// times the largest. The error in the 2-norm is the first that is left
     /// out.
-    void compress(int largestRank, double relativeLimit);
+    void compress(int maxRank, double relativeLimit);
 
     /// Bounds time and memory of a matrix that grows from step to step: once the
-    /// rank exceeds largestRank, or twice the number of rows or columns, beyond which
-    /// terms repeat each other, compresses it to half of largestRank.
-    void limitRank(int largestRank, double relativeLimit);
+    /// rank exceeds maxRank, or twice the number of rows or columns, beyond which
+    /// terms repeat each other, compresses it to half of maxRank.
+    void limitRank(const RankOptions& options);
 
     void scale(double factor) { A_ *= factor; }
 

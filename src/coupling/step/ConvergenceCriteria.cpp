@@ -21,9 +21,8 @@ double ratio(double norm, double allowed) {
 
 } // namespace
 
-ConvergenceCriteria::ConvergenceCriteria(const CouplingOptions& options, double tolerance)
-    : tolerance_(tolerance), absoluteDisplacement_(options.absoluteDisplacement),
-      relativeForce_(options.relativeForce), absoluteForce_(options.absoluteForce) {
+ConvergenceCriteria::ConvergenceCriteria(const ConvergenceOptions& options, double tolerance)
+    : tolerance_(tolerance), options_(options) {
     if (!(tolerance > 0 && tolerance <= 1)) {
         throw InputError("the coupling tolerance is " + std::to_string(tolerance) +
                          ": it must be above 0, and below 1 unless the coupling is "
@@ -44,18 +43,19 @@ double ConvergenceCriteria::displacementResidual(const Eigen::VectorXd& x,
         throw SolverError("the structure's displacement is not finite");
     }
     const double scale = std::max(rootMeanSquare(x), rootMeanSquare(xTilde));
-    return tolerance_ *
-           ratio(rootMeanSquare(xTilde - x), std::max(tolerance_ * scale, absoluteDisplacement_));
+    return tolerance_ * ratio(rootMeanSquare(xTilde - x),
+                              std::max(tolerance_ * scale, options_.absoluteDisplacement));
 }
 
 double ConvergenceCriteria::forceRatio(const Eigen::VectorXd& forces) {
-    if (relativeForce_ == 0 && absoluteForce_ == 0) {
+    if (options_.relativeForce == 0 && options_.absoluteForce == 0) {
         return 0;
     }
     double result = 1 / tolerance_;
     if (previousForces_.size() == forces.size()) {
-        result = ratio(rootMeanSquare(forces - previousForces_),
-                       std::max(relativeForce_ * rootMeanSquare(forces), absoluteForce_));
+        result = ratio(
+            rootMeanSquare(forces - previousForces_),
+            std::max(options_.relativeForce * rootMeanSquare(forces), options_.absoluteForce));
     }
     previousForces_ = forces;
     return result;

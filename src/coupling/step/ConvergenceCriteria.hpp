@@ -1,11 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "coupling/step/CouplingOptions.hpp"
+#include "common/Schema.hpp"
 
 #include <Eigen/Core>
 
 namespace tokay::coupling {
+
+/// Criteria besides the fluid's tolerance, which is the relative one of the
+/// displacement. Norms are root mean squares over all components.
+struct ConvergenceOptions {
+    double absoluteDisplacement = 0; ///< [m]
+    double relativeForce = 0;
+    double absoluteForce = 0; ///< [N or N/m]
+
+    static const SchemaOf<ConvergenceOptions>& schema() {
+        static const SchemaOf<ConvergenceOptions> schema = {
+            {"absoluteDisplacement", &ConvergenceOptions::absoluteDisplacement, "[0, inf)", "m",
+             "A root-mean-square displacement residual below this is converged in any case."},
+            {"relativeForce", &ConvergenceOptions::relativeForce, "[0, 1)", "",
+             "Relative change of force between coupling iterations; not checked if both force "
+             "entries are 0."},
+            {"absoluteForce", &ConvergenceOptions::absoluteForce, "[0, inf)", "N (2D: N/m)",
+             "A root-mean-square change of force below this is converged in any case."}};
+        return schema;
+    }
+};
 
 /// Whether fluid and structure agree: each criterion i is a norm over its
 /// allowed value, ratio_i = norm_i / max(relative_i |scale_i|, absolute_i), and
@@ -19,7 +39,7 @@ namespace tokay::coupling {
 class ConvergenceCriteria {
   public:
     /// @throws InputError unless 0 < tolerance <= 1; 1: nothing has to converge
-    ConvergenceCriteria(const CouplingOptions& options, double tolerance);
+    ConvergenceCriteria(const ConvergenceOptions& options, double tolerance);
 
     void beginTimeStep() { previousForces_.resize(0); }
 
@@ -38,9 +58,7 @@ class ConvergenceCriteria {
     double forceRatio(const Eigen::VectorXd& forces);
 
     double tolerance_;
-    double absoluteDisplacement_;
-    double relativeForce_;
-    double absoluteForce_;
+    ConvergenceOptions options_;
     Eigen::VectorXd previousForces_;
 };
 

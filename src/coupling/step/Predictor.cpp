@@ -8,6 +8,14 @@
 
 namespace tokay::coupling {
 
+const Choices<Extrapolation>& extrapolations() {
+    static const Choices<Extrapolation> choices = {{"constant", Extrapolation::constant},
+                                                   {"linear", Extrapolation::linear},
+                                                   {"quadratic", Extrapolation::quadratic},
+                                                   {"cubic", Extrapolation::cubic}};
+    return choices;
+}
+
 Predictor::Predictor(Extrapolation extrapolation, const Eigen::VectorXd& initial)
     : nPoints_(static_cast<std::size_t>(extrapolation) + 1), accepted_{{0, initial}} {}
 

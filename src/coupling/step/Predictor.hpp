@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "coupling/step/CouplingOptions.hpp"
+#include "common/Schema.hpp"
 
 #include <Eigen/Core>
 
@@ -11,6 +11,11 @@ namespace tokay::coupling {
 
 class StateReader;
 class StateWriter;
+
+/// Polynomial through the last accepted steps that starts the next one.
+enum class Extrapolation { constant, linear, quadratic, cubic };
+
+const Choices<Extrapolation>& extrapolations();
 
 /// Extrapolates the accepted displacements by a polynomial in time, whatever
 /// the time steps were; as long as there are too few of them, by a polynomial

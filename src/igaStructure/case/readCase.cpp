@@ -2,6 +2,7 @@
 #include "igaStructure/case/readCase.hpp"
 
 #include "common/digest.hpp"
+#include "coupling/couplingMethods.hpp"
 #include "igaStructure/case/kinematicsTypes.hpp"
 #include "igaStructure/caseFile/describeSchema.hpp"
 #include "igaStructure/caseFile/readOptions.hpp"
@@ -108,7 +109,7 @@ class CaseReader {
         common.newton.reuseContraction = time.scheme == TimeOptions::quasiStatic ? 0 : 0.1;
         coupling.substeps = time.substeps;
         if (time.substeps > 1) {
-            coupling.options.acceleration = coupling::Acceleration::iqnIls;
+            coupling.options.acceleration.type = "iqnIls";
         }
     }
 
@@ -163,8 +164,7 @@ class CaseReader {
 
     // The tangent of the block method is that of one step of the structure.
     static void requireValid(const Coupling& coupling) {
-        if (coupling.substeps > 1 &&
-            coupling.options.acceleration == coupling::Acceleration::block) {
+        if (coupling.substeps > 1 && coupling.options.acceleration.type == "block") {
             throw coupling.error("acceleration",
                                  fmt::format("type 'block' does not go with time.substeps {}: its "
                                              "tangent is that of a single step; choose iqnIls or "

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/kinematics/Coupling.hpp"
 
+#include "coupling/couplingMethods.hpp"
 #include "igaStructure/caseFile/describeSchema.hpp"
-#include "igaStructure/kinematics/couplingOptionsSchema.hpp"
 
 #include <fmt/format.h>
 
@@ -82,7 +82,7 @@ SchemaOf<Coupling> couplingSchema(WetParts parts) {
         {"mapping", mappingSchema(parts), "Transfer between fluid and structure."}};
     return (parts == WetParts::all ? SchemaOf<Coupling>() : SchemaOf<Coupling>().with(interface))
         .with(others)
-        .with(&Coupling::options, couplingOptionsSchema());
+        .with(&Coupling::options, coupling::couplingSchema());
 }
 
 std::string describeCoupling(const Coupling& coupling) {
@@ -98,7 +98,7 @@ std::string describeCoupling(const Coupling& coupling) {
                                    : fmt::format("{}", fmt::join(coupling.interface, " ")),
         nameOf(coupling.method, methodChoices(WetParts::all)),
         nameOf(coupling.loads, loadChoices()), coupling.gapLimit,
-        describeOptions(couplingOptionsSchema(), &options), substeps);
+        describeOptions(coupling::couplingSchema(), &options), substeps);
 }
 
 } // namespace tokay::structure

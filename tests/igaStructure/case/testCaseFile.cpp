@@ -189,11 +189,11 @@ TEST(CaseFile, substeps_do_not_go_with_the_block_method) {
     };
     const Case given = readText(withSubsteps(text));
     EXPECT_EQ(given.coupling->substeps, 4);
-    EXPECT_EQ(given.coupling->options.acceleration, coupling::Acceleration::iqnIls);
+    EXPECT_EQ(given.coupling->options.acceleration.type, "iqnIls");
     EXPECT_EQ(readText(text).coupling->substeps, 1);
     std::string block = text;
     block.replace(block.find("[left]\noutput"), 7, "[left]\n  acceleration: {type: block}\n");
-    EXPECT_EQ(readText(block).coupling->options.acceleration, coupling::Acceleration::block);
+    EXPECT_EQ(readText(block).coupling->options.acceleration.type, "block");
     try {
         readText(withSubsteps(block));
         FAIL() << "accepted";

@@ -121,11 +121,14 @@ TipMotion tipInAddedMass(const std::string& acceleration) {
 TEST(CoupledRun, accelerationsFindTheDisplacementWhoseForcesCauseIt) {
     const TipMotion expected = tipInAddedMass("block");
     EXPECT_GT(expected.end, 1e-4);
-    for (const char* type : {"constant", "aitken", "iqnIls", "mvqn", "block"}) {
-        const TipMotion motion = tipInAddedMass(type);
+    for (const coupling::CouplingMethodType& type : coupling::couplingMethods()) {
+        if (type.name == "explicit") {
+            continue;
+        }
+        const TipMotion motion = tipInAddedMass(type.name);
         // 1e-9 of the displacement, some 1e-3 m, is worth 1e-6 N/m of the 100 N/m by inertia.
-        EXPECT_LT(motion.imbalance, 1e-5) << type;
-        EXPECT_NEAR(motion.end, expected.end, 1e-7 * expected.end) << type;
+        EXPECT_LT(motion.imbalance, 1e-5) << type.name;
+        EXPECT_NEAR(motion.end, expected.end, 1e-7 * expected.end) << type.name;
     }
     // One exchange a step is not enough: the test would notice.
     EXPECT_GT(tipInAddedMass("explicit").imbalance, 1);

@@ -85,7 +85,7 @@ MatrixXd flexibility(Flap& flap) {
 
 std::unique_ptr<coupling::CouplingMethod> blockMethod(Flap& flap, double tolerance) {
     coupling::CouplingOptions options;
-    options.acceleration = coupling::Acceleration::block;
+    options.acceleration.type = "block";
     return makeCouplingMethod(options, tolerance, flap.structure);
 }
 

@@ -15,7 +15,7 @@ using coupling::StateWriter;
 namespace {
 
 const std::string magic = "TokayState";
-constexpr int stateVersion = 2;
+constexpr int stateVersion = 3;
 
 } // namespace
 
