@@ -25,6 +25,9 @@ class FsiParticipant : public CoupledParticipant {
     StructureResponse acceptTimeStep(const Eigen::VectorXd& finalForces,
                                      bool writeResults) override;
     void rejectTimeStep() override;
+    void removeStatesExcept(const std::vector<double>& fluidTimes) override {
+        states_.removeExcept(fluidTimes);
+    }
 
   private:
     void restoreMethod(const StartState& start, const Report& report);
@@ -38,6 +41,7 @@ class FsiParticipant : public CoupledParticipant {
     FsiStructure structure_;
     std::unique_ptr<coupling::CouplingMethod> method_;
     std::unique_ptr<RunOutput> output_;
+    StateFolder states_;
     StepReport report_;
     const bool audits_;
     double deltaT_ = 0;

@@ -19,6 +19,7 @@ class PrescribedStructure : public CoupledParticipant {
     StructureResponse acceptTimeStep(const Eigen::VectorXd& finalForces,
                                      bool writeResults) override;
     void rejectTimeStep() override {}
+    void removeStatesExcept(const std::vector<double>& /*fluidTimes*/) override {}
 
   private:
     DisplacementRecord record_;
