@@ -4,6 +4,7 @@
 #include "channel/PeerError.hpp"
 #include "channel/messages.hpp"
 
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -35,6 +36,12 @@ class ByteReader {
         if (given) {
             std::apply([&](auto&... value) { ((*this)(value), ...); },
                        numbersOf(balance.emplace()));
+        }
+    }
+    template <std::size_t size>
+    void operator()(std::array<std::uint8_t, size>& bytes) {
+        for (std::uint8_t& byte : bytes) {
+            byte = littleEndian<std::uint8_t>();
         }
     }
     void operator()(std::string& text) {

@@ -3,6 +3,7 @@
 
 #include "channel/messages.hpp"
 
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -31,6 +32,10 @@ class ByteWriter {
         if (balance) {
             std::apply([&](const auto&... value) { ((*this)(value), ...); }, numbersOf(*balance));
         }
+    }
+    template <std::size_t size>
+    void operator()(const std::array<std::uint8_t, size>& bytes) {
+        bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
     }
     void operator()(const std::string& text) {
         count(text.size());

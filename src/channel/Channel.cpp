@@ -238,6 +238,10 @@ void Channel::trust(const std::string& peer) {
     implementation_->limit = largestPayload;
 }
 
+bool Channel::isTrusted() const {
+    return implementation_->limit == largestPayload;
+}
+
 void Channel::throwUnexpected(const Message& message, const std::string& waitingFor) {
     if (const auto* goodbye = std::get_if<Goodbye>(&message)) {
         throw PeerError(peer() + " said goodbye (" + goodbye->reason +

@@ -72,8 +72,11 @@ class Channel {
     int fileDescriptor() const;
 
     /// Names the peer in messages from now on, and allows it frames of any
-    /// type's full size; shakeHands calls it.
+    /// type's full size; called when a handshake is complete.
     void trust(const std::string& peer);
+
+    /// Whether a handshake has been completed.
+    bool isTrusted() const;
 
   private:
     struct Implementation;

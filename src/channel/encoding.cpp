@@ -3,6 +3,8 @@
 
 #include "channel/ByteReader.hpp"
 #include "channel/ByteWriter.hpp"
+#include "channel/messageChecks.hpp"
+#include "channel/printable.hpp"
 #include "common/errors.hpp"
 
 #include <algorithm>
@@ -15,8 +17,8 @@ namespace {
 constexpr std::array<std::uint8_t, 4> magic = {'T', 'o', 'k', 'a'};
 
 constexpr std::array<const char*, std::variant_size_v<Message>> typeNames = {
-    "Hello",         "Interface", "Accepted", "BeginStep", "Forces",
-    "Displacements", "Goodbye",   "Failure",  "RejectStep"};
+    "Hello",         "Interface", "Accepted", "BeginStep",  "Forces",
+    "Displacements", "Goodbye",   "Failure",  "RejectStep", "Proof"};
 
 /// The fields of a message in their order on the wire, for both directions.
 /// (The protocol version of a Hello stands in the frame's header.)
@@ -24,7 +26,7 @@ template <class M>
 auto fieldsOf(M& m) {
     using Type = std::remove_const_t<M>;
     if constexpr (std::is_same_v<Type, Hello>) {
-        return std::tie(m.role, m.program, m.token, m.caseDigest);
+        return std::tie(m.role, m.program, m.caseDigest, m.nonce);
     } else if constexpr (std::is_same_v<Type, Interface>) {
         return std::tie(m.dimension, m.name, m.points, m.faceOffsets, m.facePoints, m.displacements,
                         m.tolerance, m.startTime, m.endTime, m.deltaT, m.retries, m.audit);
@@ -33,13 +35,15 @@ auto fieldsOf(M& m) {
     } else if constexpr (std::is_same_v<Type, BeginStep>) {
         return std::tie(m.step, m.time, m.deltaT);
     } else if constexpr (std::is_same_v<Type, Forces>) {
-        return std::tie(m.final, m.write, m.fluidResidual, m.values, m.ifConverged);
+        return std::tie(m.final, m.write, m.fluidResidual, m.values, m.fluidTimes, m.ifConverged);
     } else if constexpr (std::is_same_v<Type, Displacements>) {
         return std::tie(m.state, m.residual, m.values, m.reason, m.balance);
     } else if constexpr (std::is_same_v<Type, Goodbye>) {
         return std::tie(m.reason);
     } else if constexpr (std::is_same_v<Type, RejectStep>) {
         return std::tie(m.reason);
+    } else if constexpr (std::is_same_v<Type, Proof>) {
+        return std::tie(m.digest);
     } else {
         static_assert(std::is_same_v<Type, Failure>);
         return std::tie(m.text);
@@ -51,30 +55,12 @@ void visitFields(Archive& archive, M& message) {
     std::apply([&](auto&... field) { (archive(field), ...); }, fieldsOf(message));
 }
 
-/// Throws what is wrong with an interface whose arrays do not fit each other.
-void requireConsistent(const Interface& interface) {
-    if (interface.dimension != 2 && interface.dimension != 3) {
-        throw PeerError("its dimension is " + std::to_string(interface.dimension));
-    }
-    if (interface.points.size() % interface.dimension != 0) {
-        throw PeerError("its coordinates do not make whole points");
-    }
-    if (interface.displacements.size() != interface.points.size()) {
-        throw PeerError("it has not one displacement a point");
-    }
-    const auto& offsets = interface.faceOffsets;
-    if (offsets.empty() || offsets.front() != 0 || offsets.back() != interface.facePoints.size() ||
-        !std::is_sorted(offsets.begin(), offsets.end())) {
-        throw PeerError("its faces are not cut properly from its list of points");
-    }
-    const std::size_t nPoints = interface.points.size() / interface.dimension;
-    for (const std::uint32_t point : interface.facePoints) {
-        if (point >= nPoints) {
-            throw PeerError("a face has point " + std::to_string(point) + " of " +
-                            std::to_string(nPoints));
-        }
-    }
-}
+/// Texts end on a terminal.
+struct MakePrintable {
+    void operator()(std::string& text) const { text = printable(std::move(text)); }
+    template <class Value>
+    void operator()(Value& /*value*/) const {}
+};
 
 template <std::size_t Type>
 Message decodeAs(const FrameHeader& header, const Bytes& payload) {
@@ -86,10 +72,13 @@ Message decodeAs(const FrameHeader& header, const Bytes& payload) {
     }
     if constexpr (std::is_same_v<decltype(message), Hello>) {
         message.protocol = header.protocol;
+        requireConsistent(message);
     }
     if constexpr (std::is_same_v<decltype(message), Interface>) {
         requireConsistent(message);
     }
+    const MakePrintable makePrintable;
+    visitFields(makePrintable, message);
     return message;
 }
 

@@ -40,7 +40,7 @@ FrameHeader decodeHeader(const std::array<std::uint8_t, FrameHeader::size>& byte
                          std::uint32_t limit = largestPayload);
 
 /// Every length is checked against the bytes that remain before anything is
-/// allocated.
+/// allocated. Control characters in texts become question marks.
 /// @param payload  of header.payloadLength bytes
 /// @throws PeerError if the payload is not exactly one message of this type
 Message decodePayload(const FrameHeader& header, const Bytes& payload);

@@ -20,17 +20,26 @@ namespace tokay::channel {
 ///              depth [N/m]; 3: three components, forces in [N]
 
 /// Version of the messages below; both sides must agree.
-constexpr std::uint32_t protocolVersion = 2;
+constexpr std::uint32_t protocolVersion = 3;
 
 enum class Role : std::uint8_t { fluid, structure };
+
+/// Random bytes, others in each handshake.
+using Nonce = std::array<std::uint8_t, 32>;
 
 /// First message of each side.
 struct Hello {
     std::uint32_t protocol = protocolVersion;
     Role role = Role::fluid;
-    std::string program;    ///< name and version of the sender, for messages
-    std::string token;      ///< shared secret; empty over a socket pair
+    std::string program;    ///< name and version of the sender, for messages; one line
     std::string caseDigest; ///< digest of the case file read (structure), or empty
+    Nonce nonce{};          ///< challenge to the other side's Proof
+};
+
+/// Second message of each side: shows that it knows the shared token, which is
+/// never sent.
+struct Proof {
+    std::array<std::uint8_t, 32> digest{}; ///< see proofOf
 };
 
 /// The fluid's side of the interface in its reference configuration.
@@ -69,6 +78,9 @@ struct Forces {
     bool write = false;         ///< the fluid writes its fields at this time (with final)
     double fluidResidual = 0;   ///< initial residual of the momentum equation
     std::vector<double> values; ///< nFaces x dimension [N], per unit depth in 2D [N/m]
+    /// With write, if the fluid removes old times (purgeWrite): those that it has
+    /// on disk now [s]; otherwise empty.
+    std::vector<double> fluidTimes{};
     /// With final: a solution above the tolerance is not accepted; the answer is that of
     /// a coupling iteration, and the step goes on.
     bool ifConverged = false;
@@ -118,6 +130,6 @@ struct Failure {
 };
 
 using Message = std::variant<Hello, Interface, Accepted, BeginStep, Forces, Displacements, Goodbye,
-                             Failure, RejectStep>;
+                             Failure, RejectStep, Proof>;
 
 } // namespace tokay::channel

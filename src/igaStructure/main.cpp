@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "channel/Listener.hpp"
-#include "channel/readToken.hpp"
+#include "channel/handshake/Listener.hpp"
+#include "channel/handshake/readToken.hpp"
 #include "common/errors.hpp"
 #include "common/version.hpp"
 #include "igaStructure/case/readCase.hpp"
@@ -38,17 +38,17 @@ struct RunOptions {
     structure::CoupledRunOptions coupled;
 };
 
-channel::Channel waitForFluid(const RunOptions& options) {
-    channel::Listener listener(options.address, options.coupled.token);
+channel::Channel waitForFluid(const RunOptions& options, const std::string& token) {
+    channel::Listener listener(options.address, token);
     listener.reportSilence(0.2, [](const std::string&) { structure::throwIfInterrupted(); });
+    listener.reportRefusals(print);
     print("waiting for a fluid at " + listener.address());
-    return listener.accept();
+    return listener.accept(structure::structureGreeting());
 }
 
-void run(RunOptions options) {
-    if (!options.tokenFile.empty()) {
-        options.coupled.token = channel::readToken(options.tokenFile);
-    }
+void run(const RunOptions& options) {
+    const std::string token =
+        options.tokenFile.empty() ? std::string() : channel::readToken(options.tokenFile);
     if (options.fileDescriptor < 0 && options.address.empty()) {
         structure::runAlone(structure::readCase(options.caseFile), print);
         return;
@@ -60,7 +60,7 @@ void run(RunOptions options) {
     // A launching fluid must hear of a mistake in the case file: attach first, then read.
     channel::Channel channel = options.fileDescriptor >= 0
                                    ? channel::Channel::fromFileDescriptor(options.fileDescriptor)
-                                   : waitForFluid(options);
+                                   : waitForFluid(options, token);
     structure::runCoupled(options.caseFile, std::move(channel), options.coupled, print);
 }
 

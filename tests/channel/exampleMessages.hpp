@@ -28,11 +28,15 @@ inline Interface exampleInterface() {
 
 /// One message of each type, every field different from its default.
 inline std::vector<Message> exampleMessages() {
-    return {Hello{protocolVersion, Role::structure, "igaStructure 0.1", "secret", "a3f8"},
+    return {Hello{protocolVersion, Role::structure, "igaStructure 0.1", "a3f8", {9, 8, 7}},
             exampleInterface(),
             Accepted{"coverage 100 %\nlargest gap 1e-9 m"},
             BeginStep{12, 0.75, 1e-3},
-            Forces{true, true, 3e-5, {1, -2.5, std::numeric_limits<double>::denorm_min(), -0.0}},
+            Forces{true,
+                   true,
+                   3e-5,
+                   {1, -2.5, std::numeric_limits<double>::denorm_min(), -0.0},
+                   {0.25, 0.5}},
             Displacements{State::rejected,
                           2e-5,
                           {0.1, 0.2},
@@ -40,7 +44,8 @@ inline std::vector<Message> exampleMessages() {
                           InterfaceBalance{{1, 2, 3}, {4, 5, 6}, 7, 8}},
             Goodbye{"end time reached"},
             Failure{"the mesh has a cell of negative volume"},
-            RejectStep{"not converged"}};
+            RejectStep{"not converged"},
+            Proof{{1, 2, 3}}};
 }
 
 } // namespace tokay::channel

@@ -7,8 +7,8 @@
 //   rigid interface that has converged.
 
 #include "Record.hpp"
-#include "channel/Listener.hpp"
-#include "channel/shakeHands.hpp"
+#include "channel/handshake/Listener.hpp"
+#include "channel/handshake/shakeHands.hpp"
 
 #include <unistd.h>
 
@@ -54,13 +54,26 @@ Options parse(int argc, char** argv) {
     return options;
 }
 
+Hello greeting(const Options& options) {
+    Hello own;
+    own.role = Role::structure;
+    own.program = "fakeStructure";
+    if (options.behaviour == "otherVersion") {
+        own.protocol = protocolVersion + 1;
+    }
+    return own;
+}
+
+/// A channel after the handshake.
 Channel openChannel(const Options& options) {
     if (options.address.empty()) {
-        return Channel::fromFileDescriptor(options.channel);
+        Channel channel = Channel::fromFileDescriptor(options.channel);
+        shakeHands(channel, greeting(options));
+        return channel;
     }
     Listener listener(options.address, options.token);
     std::cout << "listening at " << listener.address() << std::endl;
-    return listener.accept();
+    return listener.accept(greeting(options));
 }
 
 void writeRaw(int fileDescriptor, const std::vector<unsigned char>& bytes) {
@@ -92,21 +105,14 @@ class Structure {
         : options_(options), channel_(openChannel(options)), record_(options.recordFile) {}
 
     int run() {
-        Hello own;
-        own.role = Role::structure;
-        own.program = "fakeStructure";
-        own.token = options_.token;
-        if (behaves("otherVersion")) {
-            own.protocol = protocolVersion + 1;
-        }
-        shakeHands(channel_, own);
         interface_ = channel_.receive<Interface>("the interface");
         record_.add(interface_);
         if (behaves("refuse")) {
             channel_.send(Failure{"this interface is not mine"});
             return 1;
         }
-        channel_.send(Accepted{"fakeStructure, " + options_.behaviour});
+        const std::string escape = behaves("escapes") ? "\x1b[2J\x07" : "";
+        channel_.send(Accepted{"fakeStructure, " + options_.behaviour + escape});
         return converse();
     }
 
@@ -180,8 +186,26 @@ class Structure {
         if (behaves("tooFew")) {
             displacements.values.pop_back();
         }
+        lie(displacements);
         record_.add(displacements);
         channel_.send(displacements);
+    }
+
+    /// What no structure can mean.
+    void lie(Displacements& displacements) const {
+        const bool isAnswer = exchange_ > 0;
+        if (behaves("convergedFar") && displacements.state == State::converged) {
+            displacements.residual = 1e5;
+        } else if (behaves("residualNan") && isAnswer) {
+            displacements.residual = std::numeric_limits<double>::quiet_NaN();
+        } else if (behaves("acceptsEarly") && isAnswer) {
+            displacements.state = State::accepted;
+        } else if (behaves("neverAccepts") && displacements.state == State::accepted) {
+            displacements.state = State::converged;
+        } else if (behaves("rejectsPrediction") || (behaves("rejectsSilently") && isAnswer)) {
+            displacements.state = State::rejected;
+            displacements.values.clear();
+        }
     }
 
     /// Shear in x, proportional to the last coordinate; with "creeps" each

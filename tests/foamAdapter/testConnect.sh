@@ -7,7 +7,7 @@ source "$(dirname "$0")/harness.sh"
 startStructure()
 {
     makeFlap fluid
-    printf 'open sesame\n' > token
+    secret token 'open sesame'
     set -m
     env "$mark" igaStructure run structure/case.yaml --listen "$@" > log.igaStructure 2>&1 &
     set +m
@@ -18,6 +18,23 @@ startStructure()
     entry system/controlDict functions.structure.structure "{ connect \"$address\"; $connectEntries }"
 }
 connectEntries=
+
+# secret FILE TEXT: a token file as both sides ask for it
+secret()
+{
+    printf '%s\n' "$2" > "$1"
+    chmod 600 "$1"
+}
+
+# The fluid of the structure's token, as the last one, is served
+expectService()
+{
+    removeEntry system/controlDict functions.structure.structure
+    entry system/controlDict functions.structure.structure "{ connect \"$address\"; tokenFile \"token\"; }"
+    runFluid
+    expectText log.igaStructure "step 3 time 0.03 s"
+    expectStructureStatus zero
+}
 
 # expectStructureStatus zero|notZero
 expectStructureStatus()
@@ -52,37 +69,64 @@ unixSocket()
     expectStructureStatus zero
 }
 
-property wrongToken "a wrong token is refused by the structure, and both sides end"
+# runRefusedFluid: as runFaultyFluid, but the structure stays
+runRefusedFluid()
+{
+    local status=0
+    fluidCommand
+    env "$mark" timeout 20 "${command[@]}" > log.pimpleFoam 2>&1 || status=$?
+    [ "$status" -ne 0 ] && [ "$status" -ne 124 ] || fail "the run has ended with status $status"
+    kill -0 "$structure" || fail "the structure has ended"
+    expectOneMessage
+}
+
+property wrongToken "a fluid with a wrong token is refused and told so, and the structure waits on"
 wrongToken()
 {
     connectEntries='tokenFile "wrongToken";'
     startStructure "tcp://:0" --token-file token
-    printf 'open barley\n' > wrongToken
-    runFaultyFluid
+    secret wrongToken 'open barley'
+    runRefusedFluid
     expectText log.pimpleFoam "the fluid gave a wrong token: give both sides the same secret"
-    expectText log.igaStructure "the fluid gave a wrong token: give both sides the same secret"
-    expectStructureStatus notZero
+    expectText log.igaStructure "refused 127.0.0.1:" "the fluid gave a wrong token: give both sides the same secret"
+    expectService
 }
 
-property noToken "no token is refused by the structure, and both sides end"
+property noToken "a fluid without a token is refused and told so, and the structure waits on"
 noToken()
 {
     startStructure "tcp://:0" --token-file token
-    runFaultyFluid
+    runRefusedFluid
     expectText log.pimpleFoam "the fluid gave a wrong token"
     expectText log.igaStructure "the fluid gave a wrong token"
-    expectStructureStatus notZero
+    expectService
 }
 
-property tokenFile "a token file that is not there is named"
+property tokenFile "a token file that is not there, or open to others, is named by the fluid"
 tokenFile()
 {
     connectEntries='tokenFile "noToken";'
     startStructure "tcp://:0" --token-file token
-    startTime=$SECONDS
-    runFaultyFluid
+    runRefusedFluid
     expectText log.pimpleFoam "the token file '" "fluid/noToken' cannot be read or has an empty first line"
-    expectStructureStatus notZero
+    secret noToken 'open sesame'
+    chmod 640 noToken
+    runRefusedFluid
+    expectText log.pimpleFoam "fluid/noToken' is open to other users (mode 640): make it yours alone by 'chmod 600"
+    expectService
+}
+
+property openTokenFile "a token file that is open to others is named by the structure"
+openTokenFile()
+{
+    makeFlap fluid
+    secret token 'open sesame'
+    chmod 604 token
+    if igaStructure run structure/case.yaml --listen "tcp://:0" --token-file token > log.igaStructure 2>&1
+    then
+        fail "the structure has started"
+    fi
+    expectText log.igaStructure "the token file 'token' is open to other users (mode 604)"
 }
 
 property nobody "an address where nobody listens is named"
@@ -105,15 +149,29 @@ address()
     expectText log.pimpleFoam "localhost:5000" "unix:/path" "tcp://host:port"
 }
 
-property stranger "a stranger who sends garbage to a waiting structure ends it, with a message"
+# Opens a connection as file descriptor FD, and sends TEXT
 stranger()
 {
+    eval "exec $1<> /dev/tcp/127.0.0.1/${address##*:}"
+    # The structure may close before all has arrived
+    (trap '' PIPE; printf '%b' "$2" >&"$1") || true
+}
+
+property strangers "a waiting structure survives strangers, a hundred of them, and serves the fluid"
+strangers()
+{
+    local fd
     startStructure "tcp://:0" --token-file token
-    # It may close before all has arrived
-    (trap '' PIPE; printf 'GET / HTTP/1.1\r\n\r\n' > "/dev/tcp/127.0.0.1/${address##*:}") || true
-    expectStructureStatus notZero
-    expectText log.igaStructure "what arrived is not a message of Tokay"
-    expectNoProcess 5
+    stranger 20 ''
+    exec 20>&-
+    stranger 21 'GET / HTTP/1.1\r\n\r\n'
+    waitForText log.igaStructure "what arrived is not a message of Tokay"
+    for fd in {22..121}
+    do
+        stranger "$fd" ''
+    done
+    expectService
+    expectText log.igaStructure "it ended the connection before the handshake was complete"
 }
 
 runProperties "$@"

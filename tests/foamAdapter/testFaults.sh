@@ -37,10 +37,10 @@ startLongRun()
 property version "another version of the messages is refused by both sides"
 version()
 {
-    misbehave otherVersion "ended: protocol version 2 of Tokay" \
-        "fakeStructure speaks version 3: install the same Tokay on both sides" \
+    misbehave otherVersion "ended: protocol version 3 of Tokay" \
+        "fakeStructure speaks version 4: install the same Tokay on both sides" \
         "the structure ended with status 2; its log:" "log.igaStructure"
-    expectStructureSays "protocol version 2 of Tokay"
+    expectStructureSays "protocol version 3 of Tokay"
 }
 
 property refusal "a structure that refuses the interface is quoted"
@@ -79,6 +79,59 @@ tooFew()
 {
     misbehave tooFew "the structure sent 29 displacement components where the interface has 30"
     expectStructureSays "the fluid ended: the structure sent 29 displacement components"
+}
+
+# lies BEHAVIOUR TEXT: such an answer ends the run on both sides
+lies()
+{
+    misbehave "$1" "$2"
+    expectStructureSays "the fluid ended: $2"
+}
+
+property convergedFar "a structure that says converged with a residual of 1e5 is not believed"
+convergedFar()
+{
+    lies convergedFar "the structure says that the step has converged, with a coupling residual of 100000"
+}
+
+property residualNan "a coupling residual that is not a number ends the run on both sides"
+residualNan()
+{
+    lies residualNan "the structure's coupling residual is nan"
+}
+
+property acceptsEarly "a structure that accepts before the final corrector ends the run on both sides"
+acceptsEarly()
+{
+    lies acceptsEarly "the structure answered 'accepted' to forces"
+}
+
+property neverAccepts "a structure that does not accept final forces ends the run on both sides"
+neverAccepts()
+{
+    lies neverAccepts "the structure answered 'converged' to final forces"
+}
+
+property rejectsPrediction "a rejection in place of a prediction ends the run on both sides"
+rejectsPrediction()
+{
+    lies rejectsPrediction "the structure answered 'rejected' to the begin of a time step"
+}
+
+property rejectsSilently "a rejection without a reason ends the run in order"
+rejectsSilently()
+{
+    misbehave rejectsSilently "the structure has no solution, and gives no reason"
+}
+
+property escapes "no control character of the structure's texts reaches the terminal"
+escapes()
+{
+    makeCase fluid
+    behave escapes
+    runFluid
+    expectText log.pimpleFoam "fakeStructure, escapes?[2J?"
+    expectNoText log.pimpleFoam $'\x1b'
 }
 
 property fluidNan "a force that is not a number ends the run on both sides"

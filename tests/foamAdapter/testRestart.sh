@@ -234,6 +234,110 @@ otherStructure()
     expectText log.pimpleFoam "the saved state of 0.1 s has" "start from an undeformed mesh"
 }
 
+property damagedState "a saved state of which one byte is damaged is refused with its file"
+damagedState()
+{
+    makeFluid fluid
+    runFluid
+    printf 'x' | dd of=structure/results/states/flap_0.1.state bs=1 seek=300 conv=notrunc 2> /dev/null
+    entry system/controlDict startFrom latestTime
+    entry system/controlDict endTime 0.2
+    runFaultyFluid
+    expectText log.pimpleFoam "results/states/flap_0.1.state': the state is damaged"
+}
+
+# withoutFile FILE: a run of ten steps, whose time 0.05 lacks it
+withoutFile()
+{
+    makeFluid whole
+    runFluid
+    stopAndCopy
+    rm "0.05/$1"
+}
+
+property noPoints "a time without the mesh's points is refused, and they are named"
+noPoints()
+{
+    withoutFile polyMesh/points
+    runFaultyFluid
+    expectText log.pimpleFoam "no points of the mesh, 0.05/polyMesh/points" "Start from a time that has both"
+}
+
+property noPointsParallel "the points of the mesh that one of two ranks lacks are named as well"
+noPointsParallel()
+{
+    makeFluid whole
+    decompose 2
+    runFluid 2
+    stopAndCopy
+    rm processor1/0.05/polyMesh/points
+    runFaultyFluid 2
+    expectText log.pimpleFoam "no points of the mesh, 0.05/polyMesh/points"
+}
+
+property noFaceVelocity "a time without Uf is used with a warning that names it"
+noFaceVelocity()
+{
+    withoutFile Uf
+    goOn
+    expectText log.pimpleFoam "has no file 0.05/Uf: the solver interpolates it anew"
+}
+
+property noPointDisplacement "a time without pointDisplacement is refused, and it is named"
+noPointDisplacement()
+{
+    withoutFile pointDisplacement
+    runFaultyFluid
+    expectText log.pimpleFoam "0.05/pointDisplacement" "start from a time that has it"
+}
+
+property purgeWrite "saved states go with the fluid's times, and each time that is left can be started from"
+purgeWrite()
+{
+    makeFluid fluid
+    entry system/controlDict writeInterval 0.01
+    entry system/controlDict purgeWrite 2
+    runFluid
+    expectEqual "the fluid's times" "$(ls -d 0* | tr '\n' ' ')" "0 0.09 0.1 "
+    # When the last one was saved, the fluid had those of 0.08 and 0.09
+    expectEqual "states" "$(cd structure/results/states; ls | tr '\n' ' ')" \
+        "flap_0.08.state flap_0.09.state flap_0.1.state "
+    entry system/controlDict startFrom startTime
+    entry system/controlDict startTime 0.09
+    runFluid
+    expectText log.igaStructure "restarting from the saved state at t = 0.09 s"
+}
+
+property purgeWriteParallel "saved states go with the fluid's times on two ranks as well"
+purgeWriteParallel()
+{
+    makeFluid fluid
+    entry system/controlDict writeInterval 0.01
+    entry system/controlDict purgeWrite 2
+    decompose 2
+    runFluid 2
+    expectEqual "states" "$(cd structure/results/states; ls | tr '\n' ' ')" \
+        "flap_0.08.state flap_0.09.state flap_0.1.state "
+}
+
+property twoRuns "a second run in the same results folder is refused with process and host"
+twoRuns()
+{
+    makeFluid fluid
+    entry system/controlDict endTime 1000
+    flapEntry "time: {}" "time: {step: 0.01, end: 1}"
+    startFluid
+    waitForText log.igaStructure "step 3 "
+    if igaStructure run structure/case.yaml > second.log 2>&1
+    then
+        fail "the second run has started"
+    fi
+    kill -KILL "$fluid"
+    wait "$fluid" 2> /dev/null || true
+    expectText second.log "structure/results' is in use: process " " on $(hostname)"
+    expectNoProcess 10
+}
+
 property fromRest "a run from an undeformed mesh leaves saved states of earlier runs alone"
 fromRest()
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "channel/PeerError.hpp"
 #include "channel/connectedPair.hpp"
-#include "channel/shakeHands.hpp"
+#include "channel/handshake/shakeHands.hpp"
 #include "fuzz/fuzz.hpp"
 
 // The bytes of a stranger, against a structure that waits for the fluid.
@@ -15,9 +15,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     hello.role = Role::structure;
     const int result = tokay::fuzz::run([&] {
         try {
-            shakeHands(channel, hello);
+            shakeHands(channel, hello, "secret");
         } catch (const PeerError&) {
-        } catch (const PeerFailure&) {
         }
     });
     close(stranger);

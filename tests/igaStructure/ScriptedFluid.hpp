@@ -2,7 +2,7 @@
 #pragma once
 
 #include "channel/Channel.hpp"
-#include "channel/shakeHands.hpp"
+#include "channel/handshake/shakeHands.hpp"
 #include "igaStructure/coupledRun/CoupledRun.hpp"
 
 #include <sys/socket.h>
@@ -82,12 +82,16 @@ class ScriptedFluid {
 
     channel::Displacements begin(std::uint32_t step, double time, double deltaT) {
         channel_->send(channel::BeginStep{step, time, deltaT});
-        return channel_->receive<channel::Displacements>("displacements");
+        return receive();
     }
 
     channel::Displacements exchange(const std::vector<double>& values, bool final = false,
                                     bool write = false) {
         channel_->send(channel::Forces{final, write, 0, values});
+        return receive();
+    }
+
+    channel::Displacements receive() {
         return channel_->receive<channel::Displacements>("displacements");
     }
 

@@ -100,6 +100,9 @@ void FilteredQr::save(StateWriter& state) const {
 
 void FilteredQr::restore(StateReader& state) {
     r_ = state.matrix();
+    if (r_.rows() != r_.cols()) {
+        throw channel::PeerError("a triangular factor is not square");
+    }
     q_.clear();
     for (Eigen::Index i = 0; i < r_.cols(); ++i) {
         q_.push_back(state.interfaceVector());

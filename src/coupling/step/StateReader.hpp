@@ -42,6 +42,9 @@ class StateReader {
     Eigen::MatrixXd matrix() {
         const int nRows = integer();
         const int nColumns = integer();
+        if (nRows < 0 || nColumns < 0) {
+            throw channel::PeerError("a matrix has a negative size");
+        }
         std::vector<double> values;
         read_(values);
         if (values.size() != static_cast<std::size_t>(nRows) * static_cast<std::size_t>(nColumns)) {

@@ -4,6 +4,7 @@
 #include "couplingResidual.C"
 #include "couplingInterval.C"
 #include "sessionSetup.C"
+#include "restartFiles.C"
 #include "stepController.C"
 #include "invertedCells.C"
 #include "couplingSession.C"

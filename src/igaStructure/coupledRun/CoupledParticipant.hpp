@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace tokay::structure {
 
@@ -39,6 +40,10 @@ class CoupledParticipant {
 
     /// Takes the step back; it begins again, shorter.
     virtual void rejectTimeStep() = 0;
+
+    /// Removes saved states that a restart from none of the fluid's times would take.
+    /// @param fluidTimes  that the fluid has on disk [s]
+    virtual void removeStatesExcept(const std::vector<double>& fluidTimes) = 0;
 };
 
 } // namespace tokay::structure

@@ -3,6 +3,7 @@
 
 #include "channel/PeerError.hpp"
 #include "common/errors.hpp"
+#include "common/version.hpp"
 #include "igaStructure/case/readCase.hpp"
 #include "igaStructure/coupledRun/CoupledSession.hpp"
 #include "igaStructure/coupledRun/FluidLink.hpp"
@@ -26,11 +27,18 @@ Case readCoupledCase(const std::string& caseFile) {
 
 } // namespace
 
+channel::Hello structureGreeting() {
+    channel::Hello hello;
+    hello.role = channel::Role::structure;
+    hello.program = std::string("igaStructure ") + version;
+    return hello;
+}
+
 void runCoupled(const std::string& caseFile, channel::Channel channel,
                 const CoupledRunOptions& options, const Report& report) {
     FluidLink link(std::move(channel), options.silenceInterval, report);
     try {
-        link.shakeHands(options.token);
+        link.shakeHands(structureGreeting());
         const Case structureCase = readCoupledCase(caseFile);
         CoupledSession(structureCase, link, options, report).run();
     } catch (const channel::PeerFailure&) {

@@ -10,15 +10,17 @@ namespace tokay::structure {
 
 /// What the command line says about a coupled run.
 struct CoupledRunOptions {
-    std::string token;           ///< shared secret, empty over a socket pair
     std::string recordFile;      ///< writes accepted interface displacements; empty: not
     std::string replayFile;      ///< answers these instead of solving; empty: solves
     double silenceInterval = 60; ///< a silent fluid is reported this often [s]
 };
 
+/// What the structure says of itself in a handshake.
+channel::Hello structureGreeting();
+
 /// Runs a case coupled to the fluid at the other end of a channel, until that
-/// says goodbye. If the run fails, even by a mistake in the case file, the
-/// fluid is told why.
+/// says goodbye. Shakes hands first, unless that has been done. If the run fails, even by a mistake
+/// in the case file, the fluid is told why.
 /// @throws InputError, SolverError, OutputError, Interrupted, channel::PeerError
 void runCoupled(const std::string& caseFile, channel::Channel channel,
                 const CoupledRunOptions& options, const Report& report);

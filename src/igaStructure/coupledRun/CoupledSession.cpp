@@ -2,6 +2,7 @@
 #include "igaStructure/coupledRun/CoupledSession.hpp"
 
 #include "channel/PeerError.hpp"
+#include "channel/allFinite.hpp"
 #include "channel/encoding.hpp"
 #include "common/errors.hpp"
 #include "igaStructure/case/makeBody.hpp"
@@ -14,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 namespace tokay::structure {
 
@@ -55,9 +57,33 @@ void requireUsable(const Forces& forces, const WetBoundary& boundary) {
                 text(boundary.faceCentre(face)), text(force)));
         }
     }
-    if (!std::isfinite(forces.fluidResidual)) {
+    if (!(forces.fluidResidual >= 0 && std::isfinite(forces.fluidResidual))) {
         throw PeerError(
             fmt::format("the fluid's residual is {}; the flow has diverged", forces.fluidResidual));
+    }
+    if (!channel::allFinite(forces.fluidTimes)) {
+        throw PeerError("the fluid has a time that is not finite");
+    }
+}
+
+// Names of time folders have few digits: a start may be this part of a step off.
+constexpr double beginTolerance = 0.1;
+
+/// A step begins where the last accepted one has ended.
+void requireUsable(const BeginStep& begin, double acceptedTime) {
+    const bool isStep = begin.deltaT > 0 && std::isfinite(begin.deltaT) &&
+                        std::isfinite(begin.time) &&
+                        begin.step <= static_cast<std::uint32_t>(std::numeric_limits<int>::max());
+    if (!isStep) {
+        throw PeerError(
+            fmt::format("the fluid's time step {} ends at {} s and has a length of {} s",
+                        begin.step, begin.time, begin.deltaT));
+    }
+    const double start = begin.time - begin.deltaT;
+    if (!(std::abs(start - acceptedTime) <= beginTolerance * begin.deltaT)) {
+        throw PeerError(fmt::format(
+            "the fluid's time step {} begins at {:.9g} s, but the structure is at {:.9g} s",
+            begin.step, start, acceptedTime));
     }
 }
 
@@ -80,6 +106,7 @@ void CoupledSession::run() {
 void CoupledSession::start() {
     const auto fluid = link_.receive<channel::Interface>("the fluid's interface");
     fluidRetries_ = fluid.retries;
+    acceptedTime_ = fluid.startTime;
     boundary_.emplace(*body_, *case_.coupling, fluid);
     if (options_.replayFile.empty()) {
         participant_ =
@@ -118,12 +145,9 @@ std::optional<BeginStep> CoupledSession::nextStep() {
 }
 
 void CoupledSession::advance(const BeginStep& begin) {
+    requireUsable(begin, acceptedTime_);
     step_ = static_cast<int>(begin.step);
     time_ = begin.time;
-    if (!(begin.deltaT > 0)) {
-        throw PeerError(
-            fmt::format("the fluid's time step {} has a length of {} s", step_, begin.deltaT));
-    }
     send(State::iterate, {participant_->beginTimeStep(step_, begin.time, begin.deltaT)});
     while (const std::optional<Forces> forces = nextForces()) {
         const StructureResponse response = respondTo(*forces);
@@ -136,6 +160,10 @@ void CoupledSession::advance(const BeginStep& begin) {
                 recorder_->add(time_, response.displacements);
             }
             send(State::accepted, response);
+            acceptedTime_ = time_;
+            if (!forces->fluidTimes.empty()) {
+                participant_->removeStatesExcept(forces->fluidTimes);
+            }
             return;
         }
     }

@@ -48,6 +48,7 @@ class CoupledSession {
     bool fluidRetries_ = false;
     int step_ = 0;
     double time_ = 0;
+    double acceptedTime_ = 0; ///< end of the last accepted step [s]
 };
 
 } // namespace tokay::structure

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/coupledRun/DisplacementRecord.hpp"
 
+#include "common/checksum.hpp"
 #include "common/errors.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
@@ -16,28 +18,91 @@ namespace {
 // Times of two runs differ by rounding: a small part of a step is no difference.
 constexpr double timeTolerance = 1e-6;
 
-} // namespace
+const std::string recordHeader =
+    "# time[s], displacement[m] of each interface point, checksum of the file so far";
 
-// Each with its line end.
-std::string DisplacementRecorder::keptLines() const {
-    std::string lines;
-    std::ifstream file(path_);
-    for (std::string line; startTime_ > 0 && std::getline(file, line);) {
-        if (line[0] != '#' && std::stod(line) <= startTime_ * (1 + timeTolerance)) {
-            lines += line + "\n";
+std::uint32_t headerChecksum() {
+    return checksum(recordHeader);
+}
+
+/// The lines of a record, none of which is believed before its checksum.
+class RecordLines {
+  public:
+    explicit RecordLines(const std::string& path) : path_(path), file_(path) {
+        if (!file_) {
+            throw InputError(fmt::format("cannot read the recorded displacements '{}'", path));
+        }
+        std::string first;
+        if (!std::getline(file_, first) || first != recordHeader || file_.eof()) {
+            fail("it does not begin as one");
         }
     }
-    return lines;
+
+    /// Time and displacements of the next step; none at the end.
+    std::optional<std::string> next() {
+        std::string line;
+        if (!std::getline(file_, line)) {
+            return std::nullopt;
+        }
+        ++number_;
+        const std::size_t end = line.rfind(' ');
+        const std::string numbers = line.substr(0, end);
+        checksum_ = checksum(numbers, checksum_);
+        if (end == std::string::npos || file_.eof() ||
+            line.substr(end) != fmt::format(" {:08x}", checksum_)) {
+            fail("it does not fit its checksum, or is cut off");
+        }
+        return numbers;
+    }
+
+    [[noreturn]] void fail(const std::string& reason) const {
+        throw InputError(fmt::format("{}:{}: the recorded displacements are damaged: {}; record "
+                                     "the motion again",
+                                     path_, number_, reason));
+    }
+
+    int number() const { return number_; }
+
+  private:
+    std::string path_;
+    std::ifstream file_;
+    int number_ = 1;
+    std::uint32_t checksum_ = headerChecksum();
+};
+
+} // namespace
+
+// Begins the file, with the steps of an earlier run until the start.
+void DisplacementRecorder::open() {
+    std::vector<std::string> kept;
+    if (startTime_ > 0 && std::ifstream(path_)) {
+        RecordLines lines(path_);
+        while (const std::optional<std::string> numbers = lines.next()) {
+            if (std::strtod(numbers->c_str(), nullptr) > startTime_ * (1 + timeTolerance)) {
+                break;
+            }
+            kept.push_back(*numbers);
+        }
+    }
+    file_.emplace(path_);
+    file_->write(recordHeader + "\n");
+    checksum_ = headerChecksum();
+    for (const std::string& numbers : kept) {
+        write(numbers);
+    }
+}
+
+void DisplacementRecorder::write(const std::string& numbers) {
+    checksum_ = checksum(numbers, checksum_);
+    file_->write(fmt::format("{} {:08x}\n", numbers, checksum_));
 }
 
 void DisplacementRecorder::add(double time, const Eigen::VectorXd& displacements) {
     const bool isFirst = !file_;
     if (isFirst) {
-        const std::string kept = keptLines();
-        file_.emplace(path_);
-        file_->write("# time[s] and displacement[m] of each interface point\n" + kept);
+        open();
     }
-    file_->write(fmt::format("{:.17g} {:.17g}\n", time, fmt::join(displacements, " ")));
+    write(fmt::format("{:.17g} {:.17g}", time, fmt::join(displacements, " ")));
     if (isFirst) {
         file_->publish();
     } else {
@@ -47,16 +112,9 @@ void DisplacementRecorder::add(double time, const Eigen::VectorXd& displacements
 
 DisplacementRecord::DisplacementRecord(const std::string& path, Eigen::Index nValues)
     : path_(path), times_{0}, displacements_{Eigen::VectorXd::Zero(nValues)} {
-    std::ifstream file(path);
-    if (!file) {
-        throw InputError(fmt::format("cannot read the recorded displacements '{}'", path));
-    }
-    std::string line;
-    for (int number = 1; std::getline(file, line); ++number) {
-        if (line.empty() || line[0] == '#') {
-            continue;
-        }
-        std::istringstream stream(line);
+    RecordLines lines(path);
+    while (const std::optional<std::string> numbers = lines.next()) {
+        std::istringstream stream(*numbers);
         std::vector<double> row;
         for (double value; stream >> value;) {
             row.push_back(value);
@@ -65,7 +123,7 @@ DisplacementRecord::DisplacementRecord(const std::string& path, Eigen::Index nVa
             throw InputError(fmt::format("{}:{}: {} numbers, but a time later than the line "
                                          "before and {} displacements are needed; was it recorded "
                                          "with this fluid mesh?",
-                                         path, number, row.size(), nValues));
+                                         path, lines.number(), row.size(), nValues));
         }
         times_.push_back(row[0]);
         displacements_.push_back(Eigen::Map<const Eigen::VectorXd>(row.data() + 1, nValues));

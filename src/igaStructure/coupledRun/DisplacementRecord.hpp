@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,7 +13,8 @@
 namespace tokay::structure {
 
 /// Writes the interface displacement of each accepted step, for a later run
-/// with prescribed motion. Text: a line a step, time and displacements.
+/// with prescribed motion. Text: a line a step, time, displacements, and the
+/// checksum of the file so far.
 class DisplacementRecorder {
   public:
     /// @param startTime  steps of an earlier run's file until then are kept [s]
@@ -23,10 +25,12 @@ class DisplacementRecorder {
     void add(double time, const Eigen::VectorXd& displacements);
 
   private:
-    std::string keptLines() const;
+    void open();
+    void write(const std::string& numbers);
 
     std::string path_;
     double startTime_;
+    std::uint32_t checksum_ = 0; ///< of the lines written
     std::optional<OutputFile> file_;
 };
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/coupledRun/FluidLink.hpp"
 
-#include "channel/shakeHands.hpp"
-#include "common/version.hpp"
+#include "channel/handshake/shakeHands.hpp"
 #include "igaStructure/run/Interruption.hpp"
 
 namespace tokay::structure {
@@ -20,12 +19,10 @@ FluidLink::FluidLink(channel::Channel channel, double silenceInterval, Report re
     beginWaiting();
 }
 
-void FluidLink::shakeHands(const std::string& token) {
-    channel::Hello hello;
-    hello.role = channel::Role::structure;
-    hello.program = std::string("igaStructure ") + version;
-    hello.token = token;
-    channel::shakeHands(channel_, hello);
+void FluidLink::shakeHands(const channel::Hello& own) {
+    if (!channel_.isTrusted()) {
+        channel::shakeHands(channel_, own);
+    }
 }
 
 void FluidLink::send(const channel::Message& message) {

@@ -16,7 +16,8 @@ class FluidLink {
     FluidLink(const FluidLink&) = delete;
     FluidLink& operator=(const FluidLink&) = delete;
 
-    void shakeHands(const std::string& token);
+    /// Unless the channel is trusted already.
+    void shakeHands(const channel::Hello& own);
 
     /// As those of Channel. @throws also Interrupted
     void send(const channel::Message& message);

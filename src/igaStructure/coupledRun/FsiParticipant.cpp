@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/coupledRun/FsiParticipant.hpp"
 
+#include "channel/PeerError.hpp"
 #include "coupling/couplingMethods.hpp"
 #include "coupling/step/StateReader.hpp"
 #include "coupling/step/StateWriter.hpp"
@@ -20,11 +21,12 @@ FsiParticipant::FsiParticipant(const Case& structureCase, Body& body, const WetB
     : case_(structureCase), boundary_(boundary), timer_(timer),
       integrator_(body.model(), *structureCase.implicitScheme(), structureCase.newton,
                   fluid.startTime, structureCase.coupling->substeps),
-      structure_(body.model(), integrator_, boundary, timer), tolerance_(fluid.tolerance),
-      audits_(fluid.audit) {
+      structure_(body.model(), integrator_, boundary, timer), states_(stateFolder(structureCase)),
+      tolerance_(fluid.tolerance), audits_(fluid.audit) {
     const std::optional<StartState> start =
         findStartState(structureCase, body.model().nUnknowns(), boundary.points(), fluid);
     if (start) {
+        requireConsistent(*start, boundary.displacements(start->saved.motion.displacement));
         integrator_.restore(start->saved.motion, start->saved.energies);
     }
     method_ = makeCouplingMethod(structureCase.coupling->options, fluid.tolerance, structure_);
@@ -48,23 +50,34 @@ void FsiParticipant::restoreMethod(const StartState& start, const Report& report
     }
     coupling::StateReader state(start.saved.coupling);
     state.renumberInterface(start.components);
-    if (state.text() == method_->name()) {
-        method_->restore(state);
-    } else {
-        report("note: the saved state used another acceleration; predictor and acceleration "
-               "history are reset\n");
+    try {
+        if (state.text() == method_->name()) {
+            method_->restore(state);
+            return;
+        }
+    } catch (const channel::PeerError& error) {
+        throwDamaged(start.saved.file, error.what());
     }
+    report("note: the saved state used another acceleration; predictor and acceleration history "
+           "are reset\n");
 }
 
 // A run that continues from there has no tangent either.
 void FsiParticipant::save() {
     const auto timed = timer_.enter(Phase::output);
-    SavedState state{case_.digest,       integrator_.state(), integrator_.energies(),
-                     boundary_.points(), method_->x(),        {}};
+    const VectorXd ofStructure = boundary_.displacements(integrator_.state().displacement);
+    const double residual = (ofStructure - method_->x()).lpNorm<Eigen::Infinity>();
+    SavedState state{case_.digest,
+                     integrator_.state(),
+                     integrator_.energies(),
+                     boundary_.points(),
+                     method_->x(),
+                     residual,
+                     {}};
     coupling::StateWriter write(state.coupling);
     write.text(method_->name());
     method_->save(write);
-    stateFolder(case_).add(state);
+    states_.add(state, deltaT_);
     integrator_.dropTangent();
 }
 

@@ -24,6 +24,9 @@ class FsiParticipant : public CoupledParticipant {
     StructureResponse iterate(const Eigen::VectorXd& faceForces, double fluidResidual) override;
     StructureResponse acceptTimeStep(const channel::Forces& final) override;
     void rejectTimeStep() override;
+    void removeStatesExcept(const std::vector<double>& fluidTimes) override {
+        states_.removeExcept(fluidTimes);
+    }
 
   private:
     void restoreMethod(const StartState& start, const Report& report);
@@ -37,6 +40,7 @@ class FsiParticipant : public CoupledParticipant {
     FsiStructure structure_;
     std::unique_ptr<coupling::CouplingMethod> method_;
     std::unique_ptr<RunOutput> output_;
+    StateFolder states_;
     StepReport report_;
     const double tolerance_;
     const bool audits_;

@@ -18,6 +18,7 @@ class PrescribedStructure : public CoupledParticipant {
     StructureResponse iterate(const Eigen::VectorXd& faceForces, double fluidResidual) override;
     StructureResponse acceptTimeStep(const channel::Forces&) override;
     void rejectTimeStep() override {}
+    void removeStatesExcept(const std::vector<double>& /*fluidTimes*/) override {}
 
   private:
     DisplacementRecord record_;

@@ -40,7 +40,8 @@ std::string duration(double seconds) {
 
 RunOutput::RunOutput(const Case& structureCase, const Body& body, const MotionState& start,
                      double endTime, Report report)
-    : watch_(body, structureCase.output.watchPoints),
+    : lock_(structureCase.output.directory, structureCase.name, report),
+      watch_(body, structureCase.output.watchPoints),
       results_(body, structureCase.output, structureCase.name, start),
       watchTable_(tablePath(structureCase, start.time, "watchPoints"), withTime(watch_.columns())),
       iterationTable_(tablePath(structureCase, start.time, "iterations"),

@@ -5,6 +5,7 @@
 #include "igaStructure/output/ResultTable.hpp"
 #include "igaStructure/run/PhaseTimer.hpp"
 #include "igaStructure/run/ResultSeries.hpp"
+#include "igaStructure/run/ResultsLock.hpp"
 #include "igaStructure/run/StepReport.hpp"
 #include "igaStructure/run/Watch.hpp"
 #include "igaStructure/timeIntegration/TimeIntegrator.hpp"
@@ -12,12 +13,12 @@
 namespace tokay::structure {
 
 /// All that a run tells: the log's line and the tables' rows of each time
-/// step, and the results for ParaView.
+/// step, and the results for ParaView, locked against other runs.
 class RunOutput {
   public:
     /// @param endTime  for the time to go [s]
-    /// @throws InputError for a watch point that is not on the body, or a field that it does not
-    /// have
+    /// @throws InputError for a watch point that is not on the body, a field that it does not
+    /// have, or another run that writes there
     RunOutput(const Case& structureCase, const Body& body, const MotionState& start, double endTime,
               Report report);
 
@@ -36,6 +37,7 @@ class RunOutput {
                      const PhaseTimer& timer, double seconds);
     std::string logLine(const StepReport& step, const MotionState& state, double seconds) const;
 
+    ResultsLock lock_;
     Watch watch_;
     ResultSeries results_;
     ResultTable watchTable_;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "common/errors.hpp"
 #include "igaStructure/ScriptedFluid.hpp"
+#include "igaStructure/coupledRun/DisplacementRecord.hpp"
 #include "igaStructure/exampleCase.hpp"
 #include "igaStructure/run/runAlone.hpp"
 #include "igaStructure/tableRows.hpp"
@@ -10,6 +12,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 
 using namespace tokay;
 using namespace tokay::structure;
@@ -182,7 +185,7 @@ TEST(CoupledRun, results_are_written_when_the_fluid_writes) {
     ScriptedFluid script(directory.write("case.yaml", coupledText()));
     script.start(fluid);
     script.advance(1, 0.01, forceOnLeft(fluid, 100));
-    EXPECT_FALSE(std::filesystem::exists(directory.file("results")));
+    EXPECT_FALSE(std::filesystem::exists(directory.file("results/case.pvd")));
     script.advance(2, 0.01, forceOnLeft(fluid, 100), true);
     script.advance(3, 0.01, forceOnLeft(fluid, 100));
     script.sayGoodbye();
@@ -246,6 +249,69 @@ TEST(CoupledRun, recorded_motion_is_answered_again_without_a_structure) {
     script.channel().send(channel::BeginStep{4, 0.04, 0.01});
     EXPECT_THAT(script.failureText(), HasSubstr("motion.dat ends at 0.03 s"));
     EXPECT_THAT(script.outcome(), HasSubstr("motion.dat ends at 0.03 s"));
+}
+
+namespace {
+
+// A record of three steps of one point, and what reading it says after a change.
+class Record : public testing::Test {
+  protected:
+    Record() {
+        DisplacementRecorder recorder(path, 0);
+        for (int step = 1; step <= 3; ++step) {
+            recorder.add(0.1 * step, Eigen::VectorXd::LinSpaced(2, -step / 3.0, 7e-5));
+        }
+    }
+    std::string errorOf(const std::string& text) const {
+        directory.write("motion.dat", text);
+        try {
+            DisplacementRecord record(path, 2);
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "";
+    }
+    std::string text() const { return directory.read("motion.dat"); }
+
+    TemporaryDirectory directory;
+    std::string path = directory.file("motion.dat");
+};
+
+} // namespace
+
+TEST_F(Record, of_which_any_byte_has_changed_is_refused) {
+    const std::string whole = text();
+    EXPECT_EQ(errorOf(whole), "");
+    for (std::size_t place = 0; place < whole.size(); ++place) {
+        for (const int change : {0x01, 0x10, 0x80, 0xff}) {
+            std::string changed = whole;
+            changed[place] = static_cast<char>(changed[place] ^ change);
+            EXPECT_THAT(errorOf(changed), AllOf(HasSubstr("motion.dat:"), HasSubstr("are damaged")))
+                << place;
+        }
+    }
+}
+
+TEST_F(Record, that_is_cut_off_within_a_line_or_lacks_one_is_refused) {
+    const std::string whole = text();
+    for (std::size_t size = 0; size < whole.size(); ++size) {
+        const bool isShorter = size > 0 && whole[size - 1] == '\n'; // but right, as far as it goes
+        EXPECT_EQ(errorOf(whole.substr(0, size)).empty(), isShorter) << size;
+    }
+    const std::size_t second = whole.find('\n', whole.find('\n') + 1) + 1;
+    const std::size_t third = whole.find('\n', second) + 1;
+    EXPECT_THAT(errorOf(whole.substr(0, second) + whole.substr(third)),
+                HasSubstr("motion.dat:3: the recorded displacements are damaged"));
+}
+
+TEST_F(Record, keeps_the_steps_until_the_start_of_a_restarted_run) {
+    DisplacementRecorder recorder(path, 0.2);
+    recorder.add(0.25, Eigen::VectorXd::Constant(2, 1));
+    const DisplacementRecord record(path, 2);
+    EXPECT_EQ(record.at(0.1)[0], -1 / 3.0);
+    EXPECT_EQ(record.at(0.2)[0], -2 / 3.0);
+    EXPECT_EQ(record.at(0.25)[0], 1);
+    EXPECT_THROW(record.at(0.3), InputError);
 }
 
 namespace {
@@ -340,6 +406,67 @@ TEST_F(CoupledStep, wrong_number_of_forces_ends_both_sides) {
     script.channel().send(channel::Forces{false, false, 0, {1, 2, 3}});
     EXPECT_THAT(script.failureText(), HasSubstr("3 force components for 41 faces"));
     script.outcome();
+}
+
+namespace {
+
+// What the structure says of a step that a fluid should not begin.
+std::string refusalOf(const channel::BeginStep& step) {
+    const TemporaryDirectory directory;
+    ScriptedFluid script(directory.write("case.yaml", coupledText()));
+    script.start(flapInterface(20));
+    script.channel().send(step);
+    const std::string told = script.failureText();
+    script.outcome();
+    return told;
+}
+
+} // namespace
+
+TEST(CoupledRun, step_that_does_not_begin_where_the_structure_is_ends_both_sides) {
+    EXPECT_THAT(refusalOf({1, 0.03, 0.01}),
+                HasSubstr("time step 1 begins at 0.02 s, but the structure is at 0 s"));
+    EXPECT_THAT(refusalOf({1, -0.01, 0.01}), HasSubstr("but the structure is at 0 s"));
+}
+
+TEST(CoupledRun, step_without_a_length_or_a_time_ends_both_sides) {
+    for (const channel::BeginStep& step :
+         {channel::BeginStep{1, 0.01, 0}, channel::BeginStep{1, 0.01, -0.01},
+          channel::BeginStep{1, 0.01, NAN}, channel::BeginStep{1, NAN, 0.01},
+          channel::BeginStep{1, INFINITY, INFINITY}, channel::BeginStep{0xffffffffu, 0.01, 0.01}}) {
+        EXPECT_THAT(refusalOf(step), HasSubstr("the fluid's time step"));
+    }
+}
+
+TEST_F(CoupledStep, residual_of_the_fluid_that_is_none_ends_both_sides) {
+    script.channel().send(channel::Forces{false, false, -1, forceOnLeft(fluid, 100)});
+    EXPECT_THAT(script.failureText(), HasSubstr("the fluid's residual is -1"));
+    script.outcome();
+}
+
+TEST_F(CoupledStep, second_run_in_the_same_folder_is_refused_with_process_and_host) {
+    ScriptedFluid second(directory.file("case.yaml"));
+    second.channel().send(fluid);
+    EXPECT_THAT(second.failureText(),
+                AllOf(HasSubstr("results' is in use: process " + std::to_string(getpid()) + " on "),
+                      HasSubstr("choose another output.directory")));
+    second.outcome();
+    EXPECT_EQ(script.exchange(forceOnLeft(fluid, 100), true).state, State::accepted);
+}
+
+TEST_F(CoupledStep, lock_goes_with_the_run) {
+    EXPECT_TRUE(std::filesystem::exists(directory.file("results/case.lock")));
+    script.vanish();
+    script.outcome();
+    EXPECT_FALSE(std::filesystem::exists(directory.file("results")));
+}
+
+TEST(CoupledRun, lock_of_a_killed_run_is_reported_and_taken_over) {
+    const TemporaryDirectory directory;
+    std::filesystem::create_directory(directory.file("results"));
+    directory.write("results/case.lock", "process 4711 on elsewhere");
+    EXPECT_EQ(watchOfCoupledRun(directory, coupledText(), 20).size(), 10u);
+    EXPECT_FALSE(std::filesystem::exists(directory.file("results")));
 }
 
 TEST_F(CoupledStep, fluid_that_vanishes_ends_the_structure_at_once) {

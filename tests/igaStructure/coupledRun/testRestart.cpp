@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "common/checksum.hpp"
 #include "common/errors.hpp"
 #include "igaStructure/ScriptedFluid.hpp"
 #include "igaStructure/coupledRun/restart/SavedState.hpp"
@@ -11,7 +12,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 
 using namespace tokay;
 using namespace tokay::structure;
@@ -33,6 +38,7 @@ SavedState exampleState(double time) {
     state.energies = {1, 2, 3, 4};
     state.interface = Eigen::VectorXd::LinSpaced(9, -1, 0.3).reshaped(3, 3);
     state.interfaceDisplacement = Eigen::VectorXd::LinSpaced(6, 1e-3, 1);
+    state.interfaceResidual = 1e-5;
     state.coupling = {7, 0, 255};
     return state;
 }
@@ -50,6 +56,7 @@ void expectEqual(const SavedState& a, const SavedState& b) {
     EXPECT_EQ(a.energies.dampingWork, b.energies.dampingWork);
     EXPECT_EQ(a.interface, b.interface);
     EXPECT_EQ(a.interfaceDisplacement, b.interfaceDisplacement);
+    EXPECT_EQ(a.interfaceResidual, b.interfaceResidual);
     EXPECT_EQ(a.coupling, b.coupling);
 }
 
@@ -72,7 +79,7 @@ TEST(SavedState, that_is_cut_off_anywhere_is_refused_with_its_name) {
     const std::vector<std::uint8_t> whole = encodeState(exampleState(0.1));
     for (std::size_t size = 0; size < whole.size(); ++size) {
         EXPECT_THAT(errorOf({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)}),
-                    HasSubstr("'case_1.state' is not a state of a structure"))
+                    HasSubstr("'case_1.state': the state is damaged"))
             << size;
     }
 }
@@ -80,20 +87,106 @@ TEST(SavedState, that_is_cut_off_anywhere_is_refused_with_its_name) {
 TEST(SavedState, of_another_version_is_refused) {
     std::vector<std::uint8_t> bytes = encodeState(exampleState(0.1));
     bytes[14] = 9; // after the length and the ten letters of the magic
-    EXPECT_THAT(errorOf(bytes), HasSubstr("its version is 9, this program reads version 2"));
+    EXPECT_THAT(errorOf(bytes), HasSubstr("its version is 9, this program reads version 3"));
+}
+
+TEST(SavedState, of_which_any_byte_has_changed_is_refused) {
+    const std::vector<std::uint8_t> whole = encodeState(exampleState(0.1));
+    for (std::size_t place = 0; place < whole.size(); ++place) {
+        for (const int change : {0x01, 0x80, 0xff}) {
+            std::vector<std::uint8_t> bytes = whole;
+            bytes[place] = static_cast<std::uint8_t>(bytes[place] ^ change);
+            EXPECT_THAT(errorOf(bytes), HasSubstr("'case_1.state': the state is damaged")) << place;
+        }
+    }
+}
+
+namespace {
+
+// Puts the checksum right, as a program with a fault of its own would.
+std::vector<std::uint8_t> sealed(std::vector<std::uint8_t> bytes) {
+    const std::size_t size = bytes.size() - 4;
+    const std::uint32_t sum = checksum(bytes.data(), size);
+    for (std::size_t i = 0; i < 4; ++i) {
+        bytes[size + i] = static_cast<std::uint8_t>(sum >> (8 * i));
+    }
+    return bytes;
+}
+
+} // namespace
+
+TEST(SavedState, with_sizes_that_are_absurd_is_refused_before_anything_is_allocated) {
+    const std::vector<std::uint8_t> whole = encodeState(exampleState(0.1));
+    int nRefused = 0;
+    for (std::size_t place = 18; place + 8 < whole.size(); ++place) {
+        std::vector<std::uint8_t> bytes = whole;
+        std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(place), 4, std::uint8_t{0xff});
+        const std::string error = errorOf(sealed(bytes)); // and never another exception
+        nRefused += error.empty() ? 0 : 1;
+    }
+    EXPECT_GT(nRefused, 10 * 4); // at least wherever a length or a size stands
+}
+
+TEST(SavedState, of_the_fuzzer_is_refused_by_its_name) {
+    const std::filesystem::path seeds = TOKAY_SOURCE_DIR "/tests/fuzz/seeds/state";
+    int nFiles = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(seeds)) {
+        std::ifstream file(entry.path(), std::ios::binary);
+        const std::vector<std::uint8_t> bytes(std::istreambuf_iterator<char>(file), {});
+        EXPECT_THAT(errorOf(bytes), HasSubstr("'case_1.state': the state is damaged"));
+        ++nFiles;
+    }
+    EXPECT_GE(nFiles, 2);
 }
 
 TEST(StateFolder, finds_the_nearest_state_within_the_tolerance) {
     const TemporaryDirectory directory;
-    const StateFolder folder(directory.file("states"), "flap");
+    StateFolder folder(directory.file("states"), "flap");
     EXPECT_TRUE(folder.times().empty());
-    folder.add(exampleState(1.0 / 3));
-    folder.add(exampleState(0.1));
-    StateFolder(directory.file("states"), "flap_2").add(exampleState(0.2)); // another case
+    folder.add(exampleState(1.0 / 3), 0.1);
+    folder.add(exampleState(0.1), 0.1);
+    StateFolder(directory.file("states"), "flap_2").add(exampleState(0.2), 0.1); // another case
     directory.write("states/flap_0.3.state.part", "");
     EXPECT_THAT(folder.times(), ElementsAre(0.1, testing::DoubleNear(1.0 / 3, 1e-12)));
     expectEqual(folder.find(0.333333, 1e-5).value(), exampleState(1.0 / 3));
     EXPECT_FALSE(folder.find(0.333333, 1e-7).has_value());
+}
+
+namespace {
+
+// Four states of steps of 0.01 s, on disk and of this run.
+class StatesOfARun : public testing::Test {
+  protected:
+    StatesOfARun() {
+        for (const double time : {0.02, 0.04, 0.06, 0.08}) {
+            folder.add(exampleState(time), 0.01);
+        }
+    }
+    TemporaryDirectory directory;
+    StateFolder folder{directory.file("states"), "flap"};
+};
+
+} // namespace
+
+TEST_F(StatesOfARun, go_with_the_fluids_times_but_for_the_last) {
+    folder.removeExcept({0, 0.04, 0.06});
+    EXPECT_THAT(folder.times(), ElementsAre(0.04, 0.06, 0.08));
+    folder.removeExcept({0});
+    EXPECT_THAT(folder.times(), ElementsAre(0.08));
+}
+
+TEST_F(StatesOfARun, stay_for_times_whose_names_are_rounded) {
+    folder.removeExcept({0.025, 0.0555});
+    EXPECT_THAT(folder.times(), ElementsAre(0.02, 0.06, 0.08));
+}
+
+TEST_F(StatesOfARun, of_earlier_runs_stay) {
+    StateFolder later(directory.file("states"), "flap");
+    later.removeExcept({0});
+    later.add(exampleState(0.1), 0.01);
+    later.add(exampleState(0.12), 0.01);
+    later.removeExcept({0});
+    EXPECT_THAT(later.times(), ElementsAre(0.02, 0.04, 0.06, 0.08, 0.12));
 }
 
 TEST(InterfaceRenumbering, finds_each_point_again) {
@@ -298,6 +391,58 @@ TEST_F(RestartedRun, refuses_a_state_of_another_motion) {
     displace();
     fluid.displacements[40] *= 1.001;
     EXPECT_THAT(refusal(), HasSubstr("is not where the structure's saved state has it"));
+}
+
+TEST_F(RestartedRun, refuses_a_state_of_which_one_number_is_damaged_and_names_its_file) {
+    displace();
+    const std::string file = directory.file("results/states/case_0.06.state");
+    std::fstream stream(file, std::ios::in | std::ios::out | std::ios::binary);
+    constexpr int place = 200; // in the middle of the structure's displacement
+    stream.seekg(place);
+    const int byte = stream.get();
+    stream.seekp(place);
+    stream.put(static_cast<char>(byte ^ 0x10));
+    stream.close();
+    EXPECT_THAT(refusal(), AllOf(HasSubstr("'" + file + "': the state is damaged"),
+                                 HasSubstr("does not fit its checksum")));
+}
+
+TEST_F(RestartedRun, refuses_a_state_whose_displacement_is_not_that_of_the_interface_beside_it) {
+    displace();
+    StateFolder folder(directory.file("results/states"), "case");
+    SavedState state = folder.find(0.06, 1e-9).value();
+    Eigen::Index largest = 0;
+    state.motion.displacement.cwiseAbs().maxCoeff(&largest);
+    state.motion.displacement[largest] *= 1.05;
+    folder.add(state, 0.01);
+    EXPECT_THAT(refusal(),
+                AllOf(HasSubstr("results/states/case_0.06.state': the state is damaged"),
+                      HasSubstr("the structure's displacement is off the interface's by 0.0")));
+}
+
+TEST_F(RestartedRun, refuses_an_acceleration_history_that_is_cut_off_and_names_the_file) {
+    displace();
+    StateFolder folder(directory.file("results/states"), "case");
+    SavedState state = folder.find(0.06, 1e-9).value();
+    state.coupling.resize(state.coupling.size() - 3);
+    folder.add(state, 0.01);
+    EXPECT_THAT(refusal(), HasSubstr("results/states/case_0.06.state': the state is damaged"));
+}
+
+TEST_F(RestartedRun, removes_its_states_with_the_fluids_times) {
+    displace();
+    ScriptedFluid script(caseFile);
+    script.start(fluid);
+    for (std::uint32_t step = 7; step <= 9; ++step) {
+        script.begin(step, 0.01 * step, 0.01);
+        script.channel().send(
+            channel::Forces{true, true, 0, forcesOf(fluid, step), {0, 0.03, 0.06, 0.08}});
+        EXPECT_EQ(script.receive().state, channel::State::accepted);
+    }
+    script.sayGoodbye();
+    EXPECT_EQ(script.outcome(), "");
+    EXPECT_THAT(StateFolder(directory.file("results/states"), "case").times(),
+                ElementsAre(0.03, 0.06, 0.08, 0.09));
 }
 
 TEST_F(RestartedRun, refuses_another_geometry_with_as_many_unknowns) {

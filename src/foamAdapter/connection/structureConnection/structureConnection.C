@@ -5,9 +5,8 @@
 #include "HashSet.H"
 #include "OSspecific.H"
 #include "dictionaryChecks.H"
-#include "channel/allFinite.hpp"
-#include "channel/readToken.hpp"
-#include "channel/shakeHands.hpp"
+#include "channel/handshake/readToken.hpp"
+#include "channel/handshake/shakeHands.hpp"
 #include "common/errors.hpp"
 #include "common/version.hpp"
 
@@ -20,33 +19,6 @@ using namespace tokay::channel;
 
 //- How long a structure may take to end by itself, in seconds
 constexpr double patience = 10;
-
-//- Refuse what cannot be a displacement of each point
-void checkDisplacements
-(
-    const std::vector<double>& values,
-    const std::size_t nValues
-)
-{
-    if (values.size() != nValues)
-    {
-        throw tokay::SolverError
-        (
-            "the structure sent " + std::to_string(values.size())
-          + " displacement components where the interface has "
-          + std::to_string(nValues)
-        );
-    }
-    if (const auto index = firstNonFinite(values))
-    {
-        throw tokay::SolverError
-        (
-            "the structure's displacement is not finite, component "
-          + std::to_string(*index) + " of " + std::to_string(nValues)
-          + ". See the structure's log"
-        );
-    }
-}
 
 //- Path of a file that is named from the case folder
 Foam::fileName fromCase(const Foam::fileName& name, const Foam::Time& runTime)
@@ -158,6 +130,10 @@ void Foam::structureConnection::onMaster(const std::function<void()>& action)
         catch (const PeerError& peerError)
         {
             error = peerError.what();
+            if (channel_ && !dynamic_cast<const PeerFailure*>(&peerError))
+            {
+                channel_->trySend(Failure{error});
+            }
             closeChannel();
             const std::string how(process_ ? process_->end(patience) : "");
             if (!how.empty())
@@ -211,8 +187,7 @@ Foam::structureConnection::structureConnection
 )
 :
     dict_(dict),
-    starting_(true),
-    nValues_(0)
+    starting_(true)
 {
     const dictionary& structureDict = dict.subDict("structure");
     requireKnownEntries
@@ -223,6 +198,21 @@ Foam::structureConnection::structureConnection
             "tokenFile", "silenceInterval"
         }
     );
+
+    std::string token;
+    if (structureDict.found("tokenFile"))
+    {
+        onMaster
+        (
+            [&]
+            {
+                token = readToken
+                (
+                    fromCase(structureDict.get<fileName>("tokenFile"), runTime)
+                );
+            }
+        );
+    }
 
     if (structureDict.found("connect"))
     {
@@ -263,14 +253,7 @@ Foam::structureConnection::structureConnection
             Hello own;
             own.role = Role::fluid;
             own.program = std::string("Tokay ") + tokay::version;
-            if (structureDict.found("tokenFile"))
-            {
-                own.token = readToken
-                (
-                    fromCase(structureDict.get<fileName>("tokenFile"), runTime)
-                );
-            }
-            const Hello peer(shakeHands(*channel_, own));
+            const Hello peer(shakeHands(*channel_, own, token));
             Info<< "    structure: " << peer.program.c_str() << ", case digest "
                 << peer.caseDigest.c_str() << endl;
         }
@@ -282,7 +265,7 @@ Foam::structureConnection::structureConnection
 
 std::string Foam::structureConnection::start(const Interface& interface)
 {
-    nValues_ = interface.points.size();
+    agreement_ = Agreement(interface);
     std::string report;
     onMaster
     (
@@ -313,11 +296,12 @@ tokay::channel::Displacements Foam::structureConnection::exchange
         {
             channel_->send(message);
             displacements = channel_->receive<Displacements>(waitingFor);
-            if (displacements.state != State::rejected)
-            {
-                checkDisplacements(displacements.values, nValues_);
-            }
-            else if (displacements.reason.empty())
+            requireUsable(displacements, message, agreement_);
+            if
+            (
+                displacements.state == State::rejected
+             && displacements.reason.empty()
+            )
             {
                 displacements.reason =
                     "the structure has no solution, and gives no reason";

@@ -36,6 +36,32 @@ namespace Foam
 //- Fit error of one function for each point, over the smallest cell height
 constexpr scalar roundOff = 1e-6;
 
+//- The mesh, if the start time has the field that moves it
+const polyMesh& withPointDisplacement(const polyMesh& mesh)
+{
+    const word& time = mesh.time().timeName();
+    IOobject file
+    (
+        "pointDisplacement",
+        time,
+        mesh,
+        IOobject::MUST_READ,
+        IOobject::NO_WRITE,
+        false
+    );
+    const bool isThere = file.typeHeaderOk<pointVectorField>(false);
+    if (!returnReduce(isThere, andOp<bool>()))
+    {
+        FatalErrorInFunction
+            << "no file " << time << "/pointDisplacement: harmonicBasis moves "
+            << "the mesh by that field" << nl
+            << "    a run from rest needs it with its boundary conditions; "
+            << "to continue a run, start from a time that has it"
+            << exit(FatalError);
+    }
+    return mesh;
+}
+
 } // End namespace Foam
 
 
@@ -212,7 +238,7 @@ Foam::harmonicBasisMotionSolver::harmonicBasisMotionSolver
     const IOdictionary& dict
 )
 :
-    displacementMotionSolver(mesh, dict, typeName)
+    displacementMotionSolver(withPointDisplacement(mesh), dict, typeName)
 {}
 
 

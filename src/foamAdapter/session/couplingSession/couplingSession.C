@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "couplingSession.H"
+#include "restartFiles.H"
 #include "sessionSetup.H"
 #include "Time.H"
 
@@ -82,6 +83,10 @@ void Foam::couplingSession::iterate(const bool final, const bool ifConverged)
     message.write = final && mesh_.time().writeTime();
     message.fluidResidual = current.fluidResidual;
     message.values = interface_.collect(forces);
+    if (message.write)
+    {
+        message.fluidTimes = restartFiles::keptTimes(mesh_.time());
+    }
     const scalar sent = stepController::wallClock();
 
     receive
@@ -288,6 +293,8 @@ Foam::couplingSession::couplingSession
     corrector_(0),
     coupledCorrector_(0)
 {
+    restartFiles::check(mesh, pointDisplacement_, patches(), dict);
+
     tokay::channel::Interface message;
     message.name = name;
     message.tolerance = residual_.tolerance();

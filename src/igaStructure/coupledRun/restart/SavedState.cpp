@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/coupledRun/restart/SavedState.hpp"
 
+#include "common/checksum.hpp"
 #include "common/errors.hpp"
 #include "coupling/step/StateReader.hpp"
 #include "coupling/step/StateWriter.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace tokay::structure {
 
@@ -16,6 +19,35 @@ namespace {
 
 const std::string magic = "TokayState";
 constexpr int stateVersion = 3;
+
+constexpr std::size_t checksumSize = sizeof(std::uint32_t);
+
+/// Before anything of it is believed; older versions have no checksum.
+void requireWhole(const std::vector<std::uint8_t>& bytes) {
+    StateReader read(bytes);
+    if (read.text() != magic) {
+        throw channel::PeerError("it does not begin as one");
+    }
+    if (const int version = read.integer(); version != stateVersion) {
+        throw channel::PeerError(
+            fmt::format("its version is {}, this program reads version {}", version, stateVersion));
+    }
+    const std::size_t size = bytes.size() - std::min(bytes.size(), checksumSize);
+    const std::vector<std::uint8_t> end(bytes.begin() + static_cast<std::ptrdiff_t>(size),
+                                        bytes.end());
+    if (static_cast<std::uint32_t>(StateReader(end).integer()) != checksum(bytes.data(), size)) {
+        throw channel::PeerError("it does not fit its checksum");
+    }
+}
+
+void requireOneSize(const MotionState& motion) {
+    for (const auto* vector : {&motion.velocity, &motion.acceleration, &motion.force}) {
+        if (vector->size() != motion.displacement.size()) {
+            throw channel::PeerError("its displacement, velocity, acceleration and force have "
+                                     "different lengths");
+        }
+    }
+}
 
 } // namespace
 
@@ -36,51 +68,64 @@ std::vector<std::uint8_t> encodeState(const SavedState& state) {
     }
     write.matrix(state.interface);
     write.matrix(state.interfaceDisplacement);
+    write.number(state.interfaceResidual);
     write.integer(static_cast<int>(state.coupling.size()));
     bytes.insert(bytes.end(), state.coupling.begin(), state.coupling.end());
+    write.integer(static_cast<int>(checksum(bytes.data(), bytes.size())));
     return bytes;
 }
 
-SavedState decodeState(const std::vector<std::uint8_t>& bytes, const std::string& name) {
+namespace {
+
+SavedState readState(const std::vector<std::uint8_t>& bytes) {
+    requireWhole(bytes);
     SavedState state;
-    try {
-        StateReader read(bytes);
-        if (read.text() != magic) {
-            throw channel::PeerError("it does not begin as one");
-        }
-        if (const int version = read.integer(); version != stateVersion) {
-            throw channel::PeerError(fmt::format("its version is {}, this program reads version "
-                                                 "{}",
-                                                 version, stateVersion));
-        }
-        state.motion.time = read.number();
-        state.digest = read.text();
-        for (auto* vector : {&state.motion.displacement, &state.motion.velocity,
-                             &state.motion.acceleration, &state.motion.force}) {
-            *vector = read.vector();
-        }
-        for (double* energy : {&state.energies.kinetic, &state.energies.strain,
-                               &state.energies.externalWork, &state.energies.dampingWork}) {
-            *energy = read.number();
-        }
-        const Eigen::MatrixXd interface = read.matrix();
-        if (interface.cols() != 3) {
-            throw channel::PeerError("its interface has no points");
-        }
-        state.interface = interface;
-        state.interfaceDisplacement = read.vector();
-        state.coupling.resize(static_cast<std::size_t>(read.integer()));
-        if (state.coupling.size() != read.remaining()) {
-            throw channel::PeerError("it is cut off, or something follows its end");
-        }
-    } catch (const channel::PeerError& error) {
-        throw InputError(fmt::format("'{}' is not a state of a structure: {}; remove it, and start "
-                                     "from another time",
-                                     name, error.what()));
+    StateReader read(bytes);
+    read.text();
+    read.integer();
+    state.motion.time = read.number();
+    state.digest = read.text();
+    for (auto* vector : {&state.motion.displacement, &state.motion.velocity,
+                         &state.motion.acceleration, &state.motion.force}) {
+        *vector = read.vector();
     }
-    state.coupling.assign(bytes.end() - static_cast<std::ptrdiff_t>(state.coupling.size()),
-                          bytes.end());
+    requireOneSize(state.motion);
+    for (double* energy : {&state.energies.kinetic, &state.energies.strain,
+                           &state.energies.externalWork, &state.energies.dampingWork}) {
+        *energy = read.number();
+    }
+    const Eigen::MatrixXd interface = read.matrix();
+    if (interface.cols() != 3) {
+        throw channel::PeerError("its interface has no points");
+    }
+    state.interface = interface;
+    state.interfaceDisplacement = read.vector();
+    state.interfaceResidual = read.number();
+    const int size = read.integer();
+    if (size < 0 || static_cast<std::size_t>(size) + checksumSize != read.remaining()) {
+        throw channel::PeerError("it is cut off, or something follows its end");
+    }
+    const auto end = bytes.end() - static_cast<std::ptrdiff_t>(checksumSize);
+    state.coupling.assign(end - size, end);
     return state;
+}
+
+} // namespace
+
+SavedState decodeState(const std::vector<std::uint8_t>& bytes, const std::string& name) {
+    try {
+        SavedState state = readState(bytes);
+        state.file = name;
+        return state;
+    } catch (const channel::PeerError& error) {
+        throwDamaged(name, error.what());
+    }
+}
+
+void throwDamaged(const std::string& file, const std::string& reason) {
+    throw InputError(fmt::format("'{}': the state is damaged, or is none of this program: {}; "
+                                 "remove it, and start from another time",
+                                 file, reason));
 }
 
 } // namespace tokay::structure

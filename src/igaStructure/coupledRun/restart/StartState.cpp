@@ -18,6 +18,9 @@ constexpr double startTimeTolerance = 0.1;
 // The fluid's displacement is the saved one, but for the digits of its files.
 constexpr double displacementTolerance = 1e-4;
 
+// The mapping gives what it has given, but for options that hardly change it.
+constexpr double mappingTolerance = 1e-3;
+
 void requireSameStructure(const SavedState& state, const Case& structureCase, int nUnknowns) {
     if (state.motion.displacement.size() != nUnknowns) {
         throw InputError(fmt::format(
@@ -92,6 +95,23 @@ std::optional<StartState> findStartState(const Case& structureCase, int nUnknown
     }
     requireSameStructure(state.saved, structureCase, nUnknowns);
     return state;
+}
+
+void requireConsistent(const StartState& state, const Eigen::VectorXd& mapped) {
+    if (state.components.empty()) {
+        return;
+    }
+    const Eigen::VectorXd saved = state.saved.interfaceDisplacement(state.components);
+    const double scale =
+        std::max(saved.lpNorm<Eigen::Infinity>(), mapped.lpNorm<Eigen::Infinity>());
+    const double distance = (saved - mapped).lpNorm<Eigen::Infinity>();
+    if (!(distance <= state.saved.interfaceResidual + mappingTolerance * scale)) {
+        throwDamaged(state.saved.file,
+                     fmt::format("the structure's displacement is off the interface's by {:.2g} of "
+                                 "the largest one (or coupling.mapping is another one now: go on "
+                                 "with that of the run before)",
+                                 distance / scale));
+    }
 }
 
 } // namespace tokay::structure

@@ -29,4 +29,10 @@ std::optional<StartState> findStartState(const Case& structureCase, int nUnknown
                                          const geometry::Points& points,
                                          const channel::Interface& fluid);
 
+/// Compares the structure's displacement with the interface's that was saved beside
+/// it; not on another mesh of the fluid.
+/// @param mapped  the structure's at the fluid's points, as numbered now [m]
+/// @throws InputError that names the file
+void requireConsistent(const StartState& state, const Eigen::VectorXd& mapped);
+
 } // namespace tokay::structure

@@ -12,12 +12,16 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
 
 namespace tokay::structure {
 
 namespace {
 
 const std::string extension = ".state";
+
+// Names of two times differ, so that of a time is off by half a step at most.
+constexpr double nameTolerance = 0.75;
 
 std::vector<std::uint8_t> readBytes(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
@@ -34,11 +38,35 @@ std::string StateFolder::path(double time) const {
     return fmt::format("{}/{}_{:.12g}{}", directory_, name_, time, extension);
 }
 
-void StateFolder::add(const SavedState& state) const {
+void StateFolder::add(const SavedState& state, double deltaT) {
     const std::vector<std::uint8_t> bytes = encodeState(state);
     OutputFile file(path(state.motion.time));
     file.write(bytes.data(), bytes.size());
     file.publish();
+    added_.push_back({state.motion.time, deltaT});
+}
+
+void StateFolder::removeExcept(const std::vector<double>& fluidTimes) {
+    if (added_.empty()) {
+        return;
+    }
+    std::set<double> needed = {added_.back().time};
+    for (const double time : fluidTimes) {
+        const auto nearest =
+            std::min_element(added_.begin(), added_.end(), [time](const Added& a, const Added& b) {
+                return std::abs(a.time - time) < std::abs(b.time - time);
+            });
+        if (std::abs(nearest->time - time) <= nameTolerance * nearest->deltaT) {
+            needed.insert(nearest->time);
+        }
+    }
+    const auto isNeeded = [&](const Added& added) { return needed.count(added.time) > 0; };
+    const auto rest = std::stable_partition(added_.begin(), added_.end(), isNeeded);
+    for (auto added = rest; added != added_.end(); ++added) {
+        std::error_code ignored; // one that stays does no harm
+        std::filesystem::remove(path(added->time), ignored);
+    }
+    added_.erase(rest, added_.end());
 }
 
 std::optional<SavedState> StateFolder::find(double time, double tolerance) const {

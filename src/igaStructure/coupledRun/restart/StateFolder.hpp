@@ -17,8 +17,14 @@ class StateFolder {
         : directory_(std::move(directory)), name_(std::move(name)) {}
 
     /// Replaces an older state of the same time, whole or not at all.
+    /// @param deltaT  of the step that ends there [s]
     /// @throws OutputError
-    void add(const SavedState& state) const;
+    void add(const SavedState& state, double deltaT);
+
+    /// Of the states added here, removes those that no restart would take any more:
+    /// all but the last, and but the nearest one of each time of the fluid.
+    /// @param fluidTimes  that the fluid has on disk [s]
+    void removeExcept(const std::vector<double>& fluidTimes);
 
     /// The state nearest to a time, if one is within the tolerance [s].
     /// @throws InputError if its file is damaged
@@ -30,10 +36,15 @@ class StateFolder {
     const std::string& directory() const { return directory_; }
 
   private:
+    struct Added {
+        double time;
+        double deltaT;
+    };
     std::string path(double time) const;
 
     std::string directory_;
     std::string name_;
+    std::vector<Added> added_; ///< in this run
 };
 
 } // namespace tokay::structure
