@@ -79,15 +79,36 @@ incompressible()
     expectForces
 }
 
-property compressible "so it is with rhoPimpleFoam"
-compressible()
+# A gas at 1e5 Pa
+prepareGas()
 {
     prepare rhoPimpleFoam
     gas constant/thermophysicalProperties hePsiThermo perfectGas
     temperature
     sed -i 's/\[ *0 2 -2 0/[1 -1 -2 0/; s/uniform 0/uniform 1e5/' 0/p
     sed -i 's/(U|UFinal)/(U|UFinal|e|eFinal|rho|rhoFinal)/' system/fvSolution
+}
+
+property compressible "so it is with rhoPimpleFoam"
+compressible()
+{
+    prepareGas
     expectForces
+}
+
+property absolutePressure "an absolute pressure without pRef is warned of, with the pressure and the force"
+absolutePressure()
+{
+    prepareGas
+    entry system/controlDict endTime 0.001
+    runFluid
+    # Both sides and the top of the flap, 1 m deep
+    expectText log.pimpleFoam "the pressure of this solver is absolute, 100000 Pa on the coupled patches at the start" \
+        "210000 N on 2.1 m2" "add 'pRef 100000;', the pressure behind the structure"
+    coupling pRef 0
+    rm -rf 0.0* postProcessing
+    runFluid
+    expectNoText log.pimpleFoam "the pressure of this solver is absolute"
 }
 
 # gas FILE TYPE EQUATION [ENTRIES]: its thermophysical properties
@@ -184,6 +205,7 @@ closedTwoPhases()
     done
     sed -i 's/fixedValue;/fixedFluxPressure;/' 0/p_rgh
     sed -i 's/inlet {.*/inlet { type zeroGradient; }/' 0/alpha.water
+    coupling enclosedFluid accept
     entry system/fvSolution PIMPLE.pRefCell 5
     entry system/fvSolution PIMPLE.pRefValue 1000
     behave rigid

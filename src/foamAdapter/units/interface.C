@@ -4,3 +4,4 @@
 #include "correctedPressure.C"
 #include "interfaceForce.C"
 #include "conservationAudit.C"
+#include "heldPoints.C"

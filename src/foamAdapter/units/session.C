@@ -2,9 +2,13 @@
 // Compiled together, because reading OpenFOAM's headers takes most of the time
 #include "pressureTolerance.C"
 #include "couplingResidual.C"
+#include "residualCriteria.C"
 #include "couplingInterval.C"
 #include "sessionSetup.C"
 #include "restartFiles.C"
+#include "controlAdvice.C"
+#include "enclosedFluid.C"
 #include "stepController.C"
+#include "stepTables.C"
 #include "invertedCells.C"
 #include "couplingSession.C"

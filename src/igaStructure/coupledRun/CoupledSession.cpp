@@ -8,6 +8,7 @@
 #include "igaStructure/case/makeBody.hpp"
 #include "igaStructure/coupledRun/FsiParticipant.hpp"
 #include "igaStructure/coupledRun/PrescribedStructure.hpp"
+#include "igaStructure/coupledRun/wetCoverage.hpp"
 #include "igaStructure/kinematics/Coupling.hpp"
 #include "igaStructure/run/describeModel.hpp"
 #include "igaStructure/run/requireSupports.hpp"
@@ -108,6 +109,11 @@ void CoupledSession::start() {
     fluidRetries_ = fluid.retries;
     acceptedTime_ = fluid.startTime;
     boundary_.emplace(*body_, *case_.coupling, fluid);
+    const std::vector<WetPart> parts =
+        wetCoverage(body_->wetSurface(case_.coupling->interface), fluid);
+    if (!case_.coupling->interface.empty() && case_.coupling->unreached == UnreachedParts::refuse) {
+        requireReached(parts);
+    }
     if (options_.replayFile.empty()) {
         participant_ =
             std::make_unique<FsiParticipant>(case_, *body_, *boundary_, fluid, timer_, report_);
@@ -119,7 +125,7 @@ void CoupledSession::start() {
         recorder_.emplace(options_.recordFile, fluid.startTime);
     }
     std::string text = describeCoupling(*case_.coupling) + describeInterface(fluid, *boundary_) +
-                       boundary_->report();
+                       boundary_->report() + describeUnreached(parts);
     if (case_.timeSteps) {
         text += "note: time steps and end come from the fluid; the case's time.step and time.end "
                 "are not used\n";

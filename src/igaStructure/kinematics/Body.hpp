@@ -76,6 +76,10 @@ class Body {
     /// Remarks on the choice of this kinematics, each with its estimate.
     virtual std::vector<std::string> advice() const = 0;
 
+    /// Wet part of the body; a thin one is wet all over.
+    /// @param names  of edges or faces of a body that is not thin
+    virtual WetSurface wetSurface(const std::vector<std::string>& names) const = 0;
+
     /// Transfer to and from a fluid's interface.
     /// @throws InputError if the two sides do not fit: names, gaps
     std::unique_ptr<InterfaceTransfer> transfer(const Coupling& coupling,
@@ -88,10 +92,6 @@ class Body {
     void add(BodyField field) { fields_.push_back(std::move(field)); }
 
   private:
-    /// Wet part of the body; a thin one is wet all over.
-    /// @param names  of edges or faces of a body that is not thin
-    virtual WetSurface wetSurface(const std::vector<std::string>& names) const = 0;
-
     /// Depth across the plane of a 2D scene [m]; 1 in space.
     virtual double depth() const { return 1; }
 

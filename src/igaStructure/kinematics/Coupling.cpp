@@ -73,11 +73,16 @@ SchemaOf<Coupling> mappingSchema(WetParts parts) {
 } // namespace
 
 SchemaOf<Coupling> couplingSchema(WetParts parts) {
+    static const Choices<UnreachedParts> unreached = {
+        {"refuse", UnreachedParts::refuse, "the run does not start."},
+        {"accept", UnreachedParts::accept, "they are named in the log."}};
     const SchemaOf<Coupling> interface = {
         {"interface", &Coupling::interface, partChoices(parts),
          std::string("Wet ") + (parts == WetParts::edges ? "edges" : "faces") +
              "; a point at which two of them meet belongs to the one named first.",
-         required}};
+         required},
+        {"unreached", &Coupling::unreached, unreached,
+         "Wet parts before which no face of the fluid lies, so that no force acts there."}};
     const SchemaOf<Coupling> others = {
         {"mapping", mappingSchema(parts), "Transfer between fluid and structure."}};
     return (parts == WetParts::all ? SchemaOf<Coupling>() : SchemaOf<Coupling>().with(interface))

@@ -25,11 +25,15 @@ enum class LoadTransfer {
     transposed  ///< forces at the face's points by the transpose of the displacements' mapping
 };
 
+/// What to do about wet parts that no face of the fluid reaches.
+enum class UnreachedParts { refuse, accept };
+
 /// Entries of `coupling` in the case file.
 struct Coupling : Located {
     TransferMethod method = TransferMethod::nearestElement;
     LoadTransfer loads = LoadTransfer::integrated;
     std::vector<std::string> interface; ///< names of the wet parts; empty: all of a thin body
+    UnreachedParts unreached = UnreachedParts::refuse; ///< with names in interface
     double gapLimit = 0.01;             ///< relative to the interface's extent
     int substeps = 1;                   ///< of the structure in a time step of the fluid
     coupling::CouplingOptions options;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "structureConnection.H"
 #include "Time.H"
-#include "Pstream.H"
+#include "openfoamVersion.H"
 #include "HashSet.H"
 #include "OSspecific.H"
 #include "dictionaryChecks.H"
@@ -147,7 +147,7 @@ void Foam::structureConnection::onMaster(const std::function<void()>& action)
             error = ownError.what();
         }
     }
-    Pstream::scatter(error);
+    fromMaster(error);
 
     if (!error.empty())
     {

@@ -37,51 +37,35 @@ Foam::functionObjects::structureCoupling::session() const
 }
 
 
-void Foam::functionObjects::structureCoupling::writeFileHeader()
+void Foam::functionObjects::structureCoupling::requireKnown() const
 {
-    Ostream& os = file();
-    writeHeader(os, "Coupling of " + name());
-    writeCommented(os, "time[s]");
-    for
+    requireKnownEntries
     (
-        const char* column
-      : {
-            "deltaT[s]", "outerCorrectors", "couplingIterations",
-            "couplingResidual", "momentumResidual", "converged", "step[s]",
-            "force[s]", "structure[s]"
+        dict_,
+        {
+            "patches", "rho", "pRef", "viscous", "p", "U", "onUnconverged",
+            "retry", "couplingInterval", "pressureTolerance",
+            "conservationLimit", "enclosedFluid", "structure",
+            // Entries of any function object
+            "type", "libs", "functionObjectLibs", "enabled", "errors", "log",
+            "region", "writePrecision", "writeToFile", "updateHeader",
+            "useUserTime"
         }
-    )
-    {
-        writeTabbed(os, column);
-    }
-    os  << endl;
+    );
 }
 
 
-void Foam::functionObjects::structureCoupling::writeBalance
-(
-    const conservationAudit& audit
-)
+void Foam::functionObjects::structureCoupling::start()
 {
-    if (!balance_)
-    {
-        balance_.reset
-        (
-            new writeFile(mesh_, name(), "conservation", dict_)
-        );
-        Ostream& os = balance_->file();
-        balance_->writeHeader(os, "Both sides of the interface, " + name());
-        balance_->writeCommented(os, "time[s]");
-        for (const word& column : conservationAudit::columns())
-        {
-            balance_->writeTabbed(os, column);
-        }
-        os  << endl;
-    }
-    Ostream& os = balance_->file();
-    balance_->writeCurrentTime(os);
-    audit.writeRow(os);
-    os  << endl;
+    Info<< type() << " " << name() << ':' << endl;
+    autoPtr<couplingSession> created
+    (
+        new couplingSession(name(), mesh_, dict_)
+    );
+    couplingSession& session = regIOobject::store(created.ptr());
+
+    fv::optionList& options = fv::options::New(mesh_);
+    options.append(new fv::couplingFvOption(session, mesh_));
 }
 
 
@@ -95,8 +79,9 @@ Foam::functionObjects::structureCoupling::structureCoupling
 )
 :
     fvMeshFunctionObject(name, runTime, dict),
-    writeFile(mesh_, name, "coupling", dict),
-    dict_(dict)
+    dict_(dict),
+    regionName_(mesh_.name()),
+    hasEnded_(false)
 {
     if (timeControl::entriesPresent(dict))
     {
@@ -105,38 +90,42 @@ Foam::functionObjects::structureCoupling::structureCoupling
             << "control when it executes or writes (timeStart, timeEnd, "
             << "executeControl, writeControl, ...)" << exit(FatalIOError);
     }
-    requireKnownEntries
-    (
-        dict,
-        {
-            "patches", "rho", "pRef", "viscous", "p", "U", "onUnconverged",
-            "retry", "couplingInterval", "pressureTolerance",
-            "conservationLimit", "structure",
-            // Entries of any function object
-            "type", "libs", "functionObjectLibs", "enabled", "log", "region",
-            "writePrecision", "writeToFile", "useUserTime"
-        }
-    );
+    requireKnown();
     if (!mesh_.foundObject<pimpleControl>("solutionControl"))
     {
         FatalIOErrorInFunction(dict)
             << "this solver has no PIMPLE loop to couple in: use one like "
             << "pimpleFoam" << exit(FatalIOError);
     }
-
-    Info<< type() << " " << name << ':' << endl;
-    autoPtr<couplingSession> created
-    (
-        new couplingSession(name, mesh_, dict)
-    );
-    couplingSession& session = regIOobject::store(created.ptr());
-
-    fv::optionList& options = fv::options::New(mesh_);
-    options.append(new fv::couplingFvOption(session, mesh_));
-
-    if (Pstream::master())
+    if (mesh_.foundObject<couplingSession>(couplingSession::registryName(name)))
     {
-        writeFileHeader();
+        Info<< type() << " " << name << ": the coupling runs already; changes "
+            << "of its dictionary take effect at the next start" << endl;
+        session().attach();
+        return;
+    }
+    start();
+}
+
+
+// * * * * * * * * * * * * * * * * Destructor  * * * * * * * * * * * * * * * //
+
+Foam::functionObjects::structureCoupling::~structureCoupling()
+{
+    // At the end of the program the mesh goes first
+    if (hasEnded_ || !time_.foundObject<fvMesh>(regionName_))
+    {
+        return;
+    }
+    const word sessionName(couplingSession::registryName(name()));
+    if (mesh_.foundObject<couplingSession>(sessionName))
+    {
+        WarningInFunction
+            << "the function object '" << name() << "' was disabled or removed "
+            << "while the coupling runs: the coupling goes on as it was, with "
+            << "its tables, until the end of the run" << nl
+            << "    to end it, stop the run by 'stopAt writeNow'" << endl;
+        session().detach();
     }
 }
 
@@ -145,38 +134,42 @@ Foam::functionObjects::structureCoupling::structureCoupling
 
 bool Foam::functionObjects::structureCoupling::read(const dictionary& dict)
 {
+    string changed;
+    for (const entry& e : dict)
+    {
+        const entry* const before =
+            dict_.findEntry(e.keyword(), keyType::LITERAL);
+        if (!before || *before != e)
+        {
+            changed += ' ' + e.keyword();
+        }
+    }
+    for (const entry& e : dict_)
+    {
+        if (!dict.found(e.keyword(), keyType::LITERAL))
+        {
+            changed += ' ' + e.keyword();
+        }
+    }
     IOWarningInFunction(dict)
-        << "the coupling runs already: changes of this dictionary take effect "
-        << "at the next start" << endl;
+        << "the coupling runs already; changes take effect at the next start:"
+        << changed.c_str() << endl;
+    dict_ = dict;
     return true;
 }
 
 
 bool Foam::functionObjects::structureCoupling::execute()
 {
-    const stepController::statistics& step = session().endTimeStep();
-
-    if (Pstream::master())
-    {
-        Ostream& os = file();
-        writeCurrentTime(os);
-        os  << tab << step.deltaT << tab << step.outerCorrectors
-            << tab << step.couplingIterations << tab << step.residual
-            << tab << step.fluidResidual << tab << step.converged
-            << tab << step.stepSeconds << tab << step.forceSeconds
-            << tab << step.structureSeconds << endl;
-    }
-    if (const conservationAudit* audit = session().audit())
-    {
-        writeBalance(*audit);
-    }
+    session().endTimeStep();
     return true;
 }
 
 
 bool Foam::functionObjects::structureCoupling::end()
 {
-    session().close("the fluid's run has ended");
+    hasEnded_ = true;
+    session().close();
     return true;
 }
 

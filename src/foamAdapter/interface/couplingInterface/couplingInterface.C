@@ -4,6 +4,7 @@
 #include "globalMeshData.H"
 #include "indirectPrimitivePatch.H"
 #include "ListListOps.H"
+#include "openfoamVersion.H"
 #include "points0MotionSolver.H"
 
 #include <sstream>
@@ -286,7 +287,7 @@ void Foam::couplingInterface::describe
     {
         error = reduceToPlane(points, faces, number);
     }
-    Pstream::scatter(error);
+    fromMaster(error);
     if (!error.empty())
     {
         FatalIOErrorInFunction(dict_) << error.c_str() << exit(FatalIOError);
@@ -409,12 +410,12 @@ Foam::List<Foam::vectorField> Foam::couplingInterface::distribute
     }
     else
     {
-        IPstream fromMaster
+        IPstream stream
         (
             Pstream::commsTypes::scheduled,
             Pstream::masterNo()
         );
-        fromMaster >> own;
+        stream >> own;
     }
 
     List<vectorField> patchValues(patches_.size());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "interfaceForce.H"
+#include "basicThermo.H"
 #include "fvcGrad.H"
+#include "openfoamVersion.H"
 #include "turbulentTransportModel.H"
 #include "turbulentFluidThermoModel.H"
 
@@ -100,6 +102,44 @@ Foam::interfaceForce::interfaceForce
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::interfaceForce::reportAbsolute
+(
+    const labelList& patches,
+    const dictionary& dict
+) const
+{
+    if
+    (
+        dict.found("pRef")
+     || !mesh_.foundObject<basicThermo>(basicThermo::dictName)
+    )
+    {
+        return;
+    }
+    scalar area = 0;
+    scalar force = 0;
+    for (const label patchi : patches)
+    {
+        const scalarField& magSf = mesh_.magSf().boundaryField()[patchi];
+        area += sum(magSf);
+        force += sum
+        (
+            magSf*pressure_.solverField().boundaryField()[patchi]
+        );
+    }
+    reduce(area, sumOp<scalar>());
+    reduce(force, sumOp<scalar>());
+    const scalar mean = force/area;
+    IOWarningInFunction(dict)
+        << "the pressure of this solver is absolute, " << mean
+        << " Pa on the coupled patches at the start, and there is no 'pRef': "
+        << "all of it acts on the structure, " << force << " N on " << area
+        << " m2" << nl
+        << "    add 'pRef " << mean << ";', the pressure behind the structure, "
+        << "or 'pRef 0;' if that is a vacuum" << endl;
+}
+
+
 Foam::vectorField Foam::interfaceForce::operator()
 (
     const labelList& patches
@@ -161,8 +201,7 @@ Foam::string Foam::interfaceForce::describeNonFinite
             }
         }
     }
-    Pstream::gatherList(texts);
-    Pstream::scatterList(texts);
+    shareAmongRanks(texts);
     for (const string& text : texts)
     {
         if (!text.empty())

@@ -2,7 +2,7 @@
 #include "interfaceFunctions.H"
 #include "boundBox.H"
 #include "ListListOps.H"
-#include "Pstream.H"
+#include "openfoamVersion.H"
 #include "PstreamReduceOps.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -23,8 +23,7 @@ static List<vectorField> onAllRanks(const vectorField& values)
 {
     List<vectorField> ofRanks(Pstream::nProcs());
     ofRanks[Pstream::myProcNo()] = values;
-    Pstream::gatherList(ofRanks);
-    Pstream::scatterList(ofRanks);
+    shareAmongRanks(ofRanks);
     return ofRanks;
 }
 

@@ -30,17 +30,18 @@ Foam::label Foam::couplingInterval::readInterval(const dictionary& dict)
 Foam::couplingInterval::couplingInterval
 (
     const dictionary& dict,
-    const couplingResidual& residual
+    const couplingResidual& residual,
+    const residualCriteria& criteria
 )
 :
     nCorrectors_(readInterval(dict)),
-    residual_(residual)
+    criteria_(criteria)
 {
     if
     (
         nCorrectors_ == 0
      && !residual.isExplicit()
-     && !residual.controlsMomentum()
+     && !criteria.controlsMomentum()
     )
     {
         FatalIOErrorInFunction(dict)
@@ -57,7 +58,7 @@ Foam::couplingInterval::couplingInterval
 bool Foam::couplingInterval::isDue(const label nCorrectors) const
 {
     return nCorrectors_ == 0
-      ? residual_.momentumConverged()
+      ? criteria_.momentumConverged()
       : nCorrectors >= nCorrectors_;
 }
 

@@ -1,47 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "couplingResidual.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-//- Where the mesh keeps the solvers' residuals: in a member of its own in
-//  later versions of OpenFOAM ...
-template<class Mesh>
-auto performanceStore(const Mesh& mesh, int)
- -> decltype(mesh.data().solverPerformanceDict(), mesh.data())
-{
-    return mesh.data();
-}
-
-//- ... and in a base class in earlier ones
-template<class Mesh>
-const Mesh& performanceStore(const Mesh& mesh, long)
-{
-    return mesh;
-}
-
-//- No more the final outer corrector: a state of the mesh in later versions ...
-template<class Mesh>
-auto endFinalIteration(Mesh& mesh, int)
- -> decltype(mesh.data().setFinalIteration(false))
-{
-    return mesh.data().setFinalIteration(false);
-}
-
-//- ... and an entry of a base class in earlier ones
-template<class Mesh>
-void endFinalIteration(Mesh& mesh, long)
-{
-    mesh.data::remove("finalIteration");
-}
-
-//- A component of the velocity that is smaller, relative to the largest, is
-//  what the linear solvers leave across a plane flow in space
-constexpr Foam::scalar leastComponent = 1e-4;
-
-} // End anonymous namespace
+#include "openfoamVersion.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -110,31 +69,18 @@ void Foam::couplingResidual::enterZero(const wordList& names)
 }
 
 
-const Foam::dictionary* Foam::couplingResidual::momentumControl
-(
-    const dictionary& controls
-) const
-{
-    return controls.subDict("residualControl").findDict
-    (
-        UName_,
-        keyType::REGEX
-    );
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::couplingResidual::couplingResidual
 (
     const word& name,
-    const word& UName,
     const fvMesh& mesh,
     const pimpleControl& pimple
 )
 :
     pimple_(pimple),
-    UName_(UName),
+    nCorrectors_(pimple.nCorrPIMPLE()),
+    isExplicit_(nCorrectors_ == 1),
     field_
     (
         IOobject
@@ -154,15 +100,48 @@ Foam::couplingResidual::couplingResidual
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::couplingResidual::isExplicit() const
+void Foam::couplingResidual::reportChanges()
 {
-    return pimple_.nCorrPIMPLE() == 1;
+    const label nCorrectors = pimple_.nCorrPIMPLE();
+    if (nCorrectors == nCorrectors_)
+    {
+        return;
+    }
+    Info<< "structureCoupling: nOuterCorrectors is now " << nCorrectors
+        << " instead of " << nCorrectors_;
+    if (isExplicit_)
+    {
+        Info<< "; the coupling stays explicit until the next start, with one "
+            << "coupling iteration per time step";
+    }
+    else if (nCorrectors == 1)
+    {
+        Info<< "; the coupling stays strong until the next start, and one "
+            << "outer corrector cannot converge it";
+    }
+    Info<< endl;
+    nCorrectors_ = nCorrectors;
+}
+
+
+Foam::scalar Foam::couplingResidual::toleranceNow() const
+{
+    const dictionary controls
+    (
+        pimple_.dict().subOrEmptyDict("residualControl")
+    );
+    const dictionary* const control =
+        controls.findDict(field_.name(), keyType::REGEX);
+    return control ? control->get<scalar>("tolerance") : tolerance_;
 }
 
 
 void Foam::couplingResidual::enter(const scalar residual)
 {
     const word& name = field_.name();
+    // The structure decides with the tolerance of the start
+    const scalar scaled =
+        isExplicit_ ? 0 : residual*toleranceNow()/tolerance_;
     performanceStore(field_.mesh(), 0).setSolverPerformance
     (
         name,
@@ -170,8 +149,8 @@ void Foam::couplingResidual::enter(const scalar residual)
         (
             "coupling",
             name,
-            residual,
-            residual,
+            scaled,
+            scaled,
             1,
             false,
             false
@@ -209,59 +188,6 @@ void Foam::couplingResidual::reopenLoop(const scalar residual)
     const_cast<pimpleControl&>(pimple_).*loopState::converged() = false;
     endFinalIteration(const_cast<fvMesh&>(field_.mesh()), 0);
     enter(residual);
-}
-
-
-Foam::vector Foam::couplingResidual::momentumComponents() const
-{
-    List<SolverPerformance<vector>> performance;
-    const dictionary& all =
-        performanceStore(field_.mesh(), 0).solverPerformanceDict();
-    if
-    (
-        !all.readIfPresent(UName_, performance)
-     || performance.empty()
-    )
-    {
-        return Zero;   // without a momentum predictor there is none
-    }
-    return performance.last().initialResidual();
-}
-
-
-Foam::scalar Foam::couplingResidual::momentum() const
-{
-    const vectorField& U =
-        field_.mesh().lookupObject<volVectorField>(UName_).primitiveField();
-    const vector squares(gSum(cmptMultiply(U, U)));
-    const scalar least = sqr(leastComponent)*cmptMax(squares);
-    const vector residuals(momentumComponents());
-    scalar largest = 0;
-    for (direction cmpt = 0; cmpt < vector::nComponents; ++cmpt)
-    {
-        if (squares[cmpt] > least)
-        {
-            largest = max(largest, residuals[cmpt]);
-        }
-    }
-    return largest;
-}
-
-
-bool Foam::couplingResidual::controlsMomentum() const
-{
-    const dictionary controls(pimple_.dict());
-    return momentumControl(controls);
-}
-
-
-bool Foam::couplingResidual::momentumConverged() const
-{
-    const dictionary controls(pimple_.dict());
-    const dictionary* control = momentumControl(controls);
-    return
-        !control
-     || cmptMax(momentumComponents()) < control->get<scalar>("tolerance");
 }
 
 

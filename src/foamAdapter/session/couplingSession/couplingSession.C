@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "couplingSession.H"
+#include "controlAdvice.H"
+#include "openfoamVersion.H"
 #include "restartFiles.H"
 #include "sessionSetup.H"
+#include "OSspecific.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -16,6 +19,8 @@ namespace Foam
 void Foam::couplingSession::beginTimeStep()
 {
     step_.begin();
+    hasEnded_ = false;
+    residual_.reportChanges();
     audited_ = false;
     rates_.beginTimeStep();
     force_.beginTimeStep();
@@ -43,8 +48,12 @@ void Foam::couplingSession::beginTimeStep()
 
 bool Foam::couplingSession::isDue() const
 {
-    return interval_.isDue(corrector_ - coupledCorrector_)
-        || corrector_ == pimple_.nCorrPIMPLE() - 1;
+    return
+        !residual_.isExplicit()
+     && (
+            interval_.isDue(corrector_ - coupledCorrector_)
+         || corrector_ == pimple_.nCorrPIMPLE() - 1
+        );
 }
 
 
@@ -114,16 +123,16 @@ void Foam::couplingSession::receive
     using tokay::channel::State;
 
     label state = static_cast<label>(solution.state);
-    Pstream::scatter(state);
+    fromMaster(state);
     if (state == static_cast<label>(State::rejected))
     {
         string reason(solution.reason);
-        Pstream::scatter(reason);
+        fromMaster(reason);
         step_.fail(reason, string());
         return;
     }
     scalar residual = solution.residual;
-    Pstream::scatter(residual);
+    fromMaster(residual);
     step_.current().residual = residual;
     if (state == static_cast<label>(State::accepted))
     {
@@ -159,35 +168,92 @@ void Foam::couplingSession::audit
 }
 
 
-Foam::string Foam::couplingSession::describeUnconverged() const
+void Foam::couplingSession::failUnconverged()
 {
     const stepController::statistics& current = step_.current();
     OStringStream os;
     os  << "time " << mesh_.time().timeName() << " s did not converge in "
-        << pimple_.nCorrPIMPLE() << " outer correctors: coupling residual "
-        << current.residual << " (tolerance " << residual_.tolerance()
-        << "), momentum residual " << current.fluidResidual;
-    return os.str();
+        << corrector_ << " outer correctors: "
+        << criteria_.describe
+           (
+               current.residual,
+               residual_.tolerance(),
+               current.converged
+           ).c_str();
+    step_.failUnconverged(os.str(), criteria_.remedy(current.converged));
 }
 
 
 bool Foam::couplingSession::ranOut() const
 {
+    if (residual_.isExplicit())
+    {
+        return false;
+    }
     return
-        !residual_.isExplicit()
-     && corrector_ == pimple_.nCorrPIMPLE()
-     && !(step_.current().converged && residual_.momentumConverged());
+        !step_.current().converged
+     || (
+            corrector_ == pimple_.nCorrPIMPLE()
+         && !criteria_.fluidConverged()
+        );
+}
+
+
+void Foam::couplingSession::requireMotionInLoop()
+{
+    if (residual_.isExplicit() || pimple_.corr() > 0)
+    {
+        return;
+    }
+    structure_.fail
+    (
+        getEnv("FOAM_EXECUTABLE")
+      + " moves the mesh once per time step, before its outer correctors, and "
+        "does not read 'moveMeshOuterCorrectors': the mesh cannot follow the "
+        "structure within a time step. Use a solver that moves it in each "
+        "outer corrector, such as pimpleFoam, rhoPimpleFoam or interFoam, with "
+        "a mesh that deforms (no overset mesh); or couple explicitly by "
+        "'nOuterCorrectors 1', for a heavy structure"
+    );
+}
+
+
+void Foam::couplingSession::requireFollowing()
+{
+    const string reason(heldPoints_.check(displacement_));
+    if (!reason.empty())
+    {
+        structure_.fail(reason);
+    }
+}
+
+
+void Foam::couplingSession::reportUnlimited()
+{
+    // A hundred times the usual tolerance
+    constexpr scalar limit = 0.01;
+
+    const scalar residual = step_.current().fluidResidual;
+    if (isUnlimited_ && residual > limit)
+    {
+        isUnlimited_ = false;
+        WarningInFunction
+            << "the time step ending at " << mesh_.time().timeName()
+            << " s is accepted with a momentum residual of " << residual
+            << ", which residualControl does not limit" << endl;
+    }
 }
 
 
 void Foam::couplingSession::endWithoutAcceptance()
 {
+    step_.current().converged = false;
     if (corrector_ < pimple_.nCorrPIMPLE())
     {
         residual_.reopenLoop(step_.current().residual);
         return;
     }
-    step_.failUnconverged(describeUnconverged());
+    failUnconverged();
     if (!step_.hasFailed())
     {
         iterate(true, false);
@@ -200,11 +266,12 @@ void Foam::couplingSession::endFinalCorrector()
     bool ifConverged = !residual_.isExplicit();
     if (!step_.hasFailed() && ranOut())
     {
-        step_.failUnconverged(describeUnconverged());
+        failUnconverged();
         ifConverged = false;
     }
     if (!step_.hasFailed())
     {
+        requireFollowing();
         iterate(true, ifConverged);
     }
     if (!step_.hasFailed() && !step_.isAccepted())
@@ -214,6 +281,13 @@ void Foam::couplingSession::endFinalCorrector()
     if (step_.hasFailed())
     {
         step_.reject();
+        return;
+    }
+    enclosed_.report();
+    reportUnlimited();
+    if (!isAttached_)
+    {
+        endTimeStep();
     }
 }
 
@@ -230,8 +304,9 @@ void Foam::couplingSession::endOuterCorrector()
         );
     }
 
+    criteria_.update();
     step_.current().outerCorrectors = corrector_;
-    step_.current().fluidResidual = residual_.momentum();
+    step_.current().fluidResidual = criteria_.momentum();
 
     if (pimple_.finalIter())
     {
@@ -276,12 +351,19 @@ Foam::couplingSession::couplingSession
     (
         sessionSetup::findPointDisplacement(mesh, dict, patches(), UName())
     ),
-    residual_(name, force_.UName(), mesh, pimple_),
+    enclosed_(mesh, dict, force_.pName(), force_.UName()),
+    heldPoints_(mesh, pointDisplacement_, patches()),
+    residual_(name, mesh, pimple_),
+    criteria_(name, force_.UName(), mesh, pimple_),
     pressureTolerance_(dict, mesh),
     rates_(mesh, force_.UName()),
-    interval_(dict, residual_),
+    interval_(dict, residual_, criteria_),
     audit_(mesh, dict),
     audited_(false),
+    tables_(name, mesh, dict),
+    isAttached_(true),
+    hasEnded_(false),
+    isUnlimited_(false),
     step_(dict, mesh, structure_),
     structure_(dict, mesh.time()),
     invertedCells_
@@ -305,6 +387,7 @@ Foam::couplingSession::couplingSession
     message.retries = step_.retries();
     interface_.describe(pointDisplacement_, message);
 
+    force_.reportAbsolute(patches(), dict);
     if (residual_.isExplicit())
     {
         Info<< "    explicit coupling, one coupling iteration per time step"
@@ -315,8 +398,26 @@ Foam::couplingSession::couplingSession
         Info<< "    strong coupling, tolerance " << residual_.tolerance()
             << endl;
         pressureTolerance_.announce();
+        controlAdvice::report(mesh, pimple_, UName());
     }
-    Info<< structure_.start(message).c_str() << endl;
+    string report(structure_.start(message));
+    fromMaster(report);
+    Info<< report.c_str() << endl;
+    isUnlimited_ =
+        !residual_.isExplicit()
+     && !criteria_.controlsMomentum()
+     && controlAdvice::reportNoForce(pimple_, UName(), report);
+}
+
+
+// * * * * * * * * * * * * * * * * Destructor  * * * * * * * * * * * * * * * //
+
+Foam::couplingSession::~couplingSession()
+{
+    if (!isAttached_)
+    {
+        close();
+    }
 }
 
 
@@ -327,6 +428,7 @@ const Foam::vectorField& Foam::couplingSession::displacement
     const label patchi
 )
 {
+    requireMotionInLoop();
     if (!step_.hasBegun())
     {
         beginTimeStep();
@@ -335,9 +437,13 @@ const Foam::vectorField& Foam::couplingSession::displacement
     {
         displacement_ = nextDisplacement_;
     }
-    corrector_ = pimple_.corr();
+    // An explicit coupling may have its mesh moved before the loop
+    corrector_ = max(pimple_.corr(), label(1));
     rates_.keepNew();
-    pressureTolerance_.beginCorrector(pimple_.finalIter());
+    pressureTolerance_.beginCorrector
+    (
+        residual_.isExplicit() || pimple_.finalIter()
+    );
 
     return displacement_[patches().find(patchi)];
 }
@@ -354,6 +460,32 @@ void Foam::couplingSession::endVelocityCorrection()
     {
         force_.endPressureCorrector();
     }
+}
+
+
+void Foam::couplingSession::endTimeStep()
+{
+    if (hasEnded_)
+    {
+        return;
+    }
+    hasEnded_ = true;
+    tables_.write(step_.end());
+    // Only the master has an audit
+    if (audited_)
+    {
+        tables_.write(audit_);
+    }
+}
+
+
+void Foam::couplingSession::detach()
+{
+    if (step_.isAccepted())
+    {
+        endTimeStep();
+    }
+    isAttached_ = false;
 }
 
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "invertedCells.H"
+#include "openfoamVersion.H"
 #include "StringStream.H"
 #include "Time.H"
 
@@ -84,8 +85,7 @@ bool Foam::invertedCells::movePoints()
     }
     List<string> named(Pstream::nProcs());
     named[Pstream::myProcNo()] = describe(cells);
-    Pstream::gatherList(named);
-    Pstream::scatterList(named);
+    shareAmongRanks(named);
 
     OStringStream text;
     text<< "the mesh motion leaves " << nCells

@@ -104,7 +104,11 @@ void Foam::stepController::failMesh(const string& cells)
 }
 
 
-void Foam::stepController::failUnconverged(const string& reason)
+void Foam::stepController::failUnconverged
+(
+    const string& reason,
+    const string& remedy
+)
 {
     if (onUnconverged_ == unconverged::warn)
     {
@@ -116,9 +120,9 @@ void Foam::stepController::failUnconverged(const string& reason)
     fail
     (
         reason,
-        ". Raise nOuterCorrectors, reduce deltaT, choose another acceleration "
-        "in the structure's case file, repeat such steps by 'onUnconverged "
-        "retry', or accept them by 'onUnconverged warn'"
+        remedy
+      + ". Raise nOuterCorrectors, reduce deltaT, repeat such steps by "
+        "'onUnconverged retry', or accept them by 'onUnconverged warn'"
     );
 }
 
@@ -153,6 +157,7 @@ const Foam::stepController::statistics& Foam::stepController::end()
             "the structure has not accepted it: is 'solveFlow' on?"
         );
     }
+    accepted_ = false;
     current_.stepSeconds = wallClock() - start_;
     if (retry_.valid())
     {

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stepTables.H"
+#include "Pstream.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::stepTables::table::table
+(
+    const word& couplingName,
+    const word& fileName,
+    const fvMesh& mesh,
+    const dictionary& dict,
+    const string& title,
+    const wordList& columns
+)
+:
+    writeFile(mesh, couplingName, fileName, dict)
+{
+    if (!Pstream::master())
+    {
+        return;
+    }
+    Ostream& os = file();
+    writeHeader(os, title + couplingName);
+    writeCommented(os, "time[s]");
+    for (const word& column : columns)
+    {
+        writeTabbed(os, column);
+    }
+    os  << endl;
+}
+
+
+Foam::Ostream& Foam::stepTables::table::beginRow()
+{
+    Ostream& os = file();
+    writeCurrentTime(os);
+    return os;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::stepTables::stepTables
+(
+    const word& name,
+    const fvMesh& mesh,
+    const dictionary& dict
+)
+:
+    name_(name),
+    mesh_(mesh),
+    dict_(dict),
+    coupling_
+    (
+        name,
+        "coupling",
+        mesh,
+        dict,
+        "Coupling of ",
+        {
+            "deltaT[s]", "outerCorrectors", "couplingIterations",
+            "couplingResidual", "momentumResidual", "converged", "step[s]",
+            "force[s]", "structure[s]"
+        }
+    )
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::stepTables::write(const stepController::statistics& step)
+{
+    if (!Pstream::master())
+    {
+        return;
+    }
+    coupling_.beginRow()
+        << tab << step.deltaT << tab << step.outerCorrectors
+        << tab << step.couplingIterations << tab << step.residual
+        << tab << step.fluidResidual << tab << step.converged
+        << tab << step.stepSeconds << tab << step.forceSeconds
+        << tab << step.structureSeconds << endl;
+}
+
+
+void Foam::stepTables::write(const conservationAudit& audit)
+{
+    if (!conservation_.valid())
+    {
+        conservation_.reset
+        (
+            new table
+            (
+                name_,
+                "conservation",
+                mesh_,
+                dict_,
+                "Both sides of the interface, ",
+                conservationAudit::columns()
+            )
+        );
+    }
+    Ostream& os = conservation_->beginRow();
+    audit.writeRow(os);
+    os  << endl;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "igaStructure/coupledRun/wetCoverage.hpp"
+
+#include "common/errors.hpp"
+#include "geometry/projection/BoxTree.hpp"
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace tokay::structure {
+
+using geometry::Box;
+using geometry::BoxTree;
+using geometry::Point;
+
+namespace {
+
+constexpr int samplesPerSpan = 4;
+constexpr double unreachedFraction = 0.05;
+
+/// A place of the wet surface that stands for the part of it around it.
+struct WetSample {
+    Point point;
+    double size; ///< [m, m^2]
+    int part;
+};
+
+struct SampledSurface {
+    std::vector<WetPart> parts;
+    std::vector<WetSample> samples;
+
+    void add(const Point& point, double size) {
+        samples.push_back({point, size, static_cast<int>(parts.size()) - 1});
+        parts.back().size += size;
+    }
+};
+
+SampledSurface sampled(const mapper::SplineInterface& wet) {
+    SampledSurface result;
+    for (const mapper::SplinePiece& piece : wet.pieces()) {
+        result.parts.push_back({piece.name});
+        const std::vector<double>& breaks = piece.curve.knotVector().breakpoints();
+        for (std::size_t span = 0; span + 1 < breaks.size(); ++span) {
+            const double step = (breaks[span + 1] - breaks[span]) / samplesPerSpan;
+            for (int i = 0; i < samplesPerSpan; ++i) {
+                const geometry::Points at =
+                    piece.curve.derivatives(breaks[span] + (i + 0.5) * step, 1);
+                result.add(at.row(0), at.row(1).norm() * step);
+            }
+        }
+    }
+    return result;
+}
+
+void addElement(SampledSurface& result, const geometry::TrimmedPatch& patch, int element) {
+    const geometry::ParameterBox box = patch.elementBox(element);
+    const geometry::Parameters step = box.size() / samplesPerSpan;
+    for (int i = 0; i < samplesPerSpan; ++i) {
+        for (int j = 0; j < samplesPerSpan; ++j) {
+            const geometry::Parameters at(box.lower.x() + (i + 0.5) * step.x(),
+                                          box.lower.y() + (j + 0.5) * step.y());
+            if (patch.state(element) == geometry::ElementState::full || patch.contains(at)) {
+                const geometry::Points d = patch.surface().derivatives(at.x(), at.y(), 1);
+                const Point alongXi = d.row(1), alongEta = d.row(2);
+                result.add(d.row(0), alongXi.cross(alongEta).norm() * step.prod());
+            }
+        }
+    }
+}
+
+SampledSurface sampled(const mapper::SurfaceInterface& wet) {
+    SampledSurface result;
+    for (int i = 0; i < wet.nPieces(); ++i) {
+        result.parts.push_back({wet.piece(i).name});
+        const geometry::TrimmedPatch& patch = wet.piece(i).patch;
+        for (int element = 0; element < patch.nElements(); ++element) {
+            if (patch.state(element) != geometry::ElementState::empty) {
+                addElement(result, patch, element);
+            }
+        }
+    }
+    return result;
+}
+
+/// An edge, or a triangle of a face in space.
+struct Facet {
+    std::vector<Point> corners;
+    int part;
+};
+
+/// Whether the projection of a point falls inside; on the rim it does.
+bool isBefore(const Facet& facet, const Point& point) {
+    constexpr double rim = 1e-9;
+    const Point a = facet.corners[1] - facet.corners[0];
+    const Point toPoint = point - facet.corners[0];
+    if (facet.corners.size() == 2) {
+        const double s = toPoint.dot(a) / a.squaredNorm();
+        return s >= -rim && s <= 1 + rim;
+    }
+    const Point b = facet.corners[2] - facet.corners[0];
+    const Point normal = a.cross(b);
+    const double s = toPoint.cross(b).dot(normal) / normal.squaredNorm();
+    const double t = a.cross(toPoint).dot(normal) / normal.squaredNorm();
+    return s >= -rim && t >= -rim && s + t <= 1 + rim;
+}
+
+Point pointOf(const channel::Interface& fluid, std::uint32_t index) {
+    Point point = Point::Zero();
+    for (std::uint32_t c = 0; c < fluid.dimension; ++c) {
+        point[c] = fluid.points[index * fluid.dimension + c];
+    }
+    return point;
+}
+
+int partAt(const Point& centre, const SampledSurface& wet, const BoxTree& tree) {
+    int nearest = 0;
+    double smallest = std::numeric_limits<double>::infinity();
+    tree.visitNearest(centre, [&](int i) {
+        const double squared = (wet.samples[i].point - centre).squaredNorm();
+        if (squared < smallest) {
+            smallest = squared;
+            nearest = i;
+        }
+        return smallest;
+    });
+    return wet.samples[nearest].part;
+}
+
+void addFace(std::vector<Facet>& facets, const std::vector<Point>& corners, const Point& centre,
+             int part) {
+    if (corners.size() == 2) {
+        facets.push_back({corners, part});
+        return;
+    }
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        facets.push_back({{centre, corners[k], corners[(k + 1) % corners.size()]}, part});
+    }
+}
+
+std::vector<Facet> facetsOf(const channel::Interface& fluid, const SampledSurface& wet) {
+    std::vector<Box> boxes;
+    for (const WetSample& sample : wet.samples) {
+        boxes.push_back({sample.point, sample.point});
+    }
+    const BoxTree tree(boxes);
+    std::vector<Facet> facets;
+    for (std::size_t face = 0; face + 1 < fluid.faceOffsets.size(); ++face) {
+        std::vector<Point> corners;
+        Point centre = Point::Zero();
+        for (std::uint32_t k = fluid.faceOffsets[face]; k < fluid.faceOffsets[face + 1]; ++k) {
+            corners.push_back(pointOf(fluid, fluid.facePoints[k]));
+            centre += corners.back();
+        }
+        if (corners.size() > 1) {
+            centre /= static_cast<double>(corners.size());
+            addFace(facets, corners, centre, partAt(centre, wet, tree));
+        }
+    }
+    return facets;
+}
+
+std::vector<Box> boxesOf(const std::vector<Facet>& facets) {
+    std::vector<Box> boxes;
+    for (const Facet& facet : facets) {
+        Box box = Box::empty();
+        for (const Point& corner : facet.corners) {
+            box.include(corner);
+        }
+        boxes.push_back(box);
+    }
+    return boxes;
+}
+
+class FluidFaces {
+  public:
+    explicit FluidFaces(std::vector<Facet> facets)
+        : facets_(std::move(facets)), tree_(boxesOf(facets_)) {
+        for (const Box& box : boxesOf(facets_)) {
+            largest_ = std::max(largest_, box.diagonal());
+        }
+    }
+
+    /// Whether a facet of the sample's part lies before it, no farther away than the nearest
+    /// one by more than the size of a facet.
+    bool reach(const WetSample& sample) const {
+        bool isReached = false;
+        double limit = std::numeric_limits<double>::infinity();
+        tree_.visitNearest(sample.point, [&](int i) {
+            const Facet& facet = facets_[i];
+            if (std::isinf(limit)) {
+                limit = std::pow((facet.corners[0] - sample.point).norm() + largest_, 2);
+            }
+            isReached = isReached || (facet.part == sample.part && isBefore(facet, sample.point));
+            return isReached ? -1 : limit;
+        });
+        return isReached;
+    }
+
+  private:
+    std::vector<Facet> facets_;
+    BoxTree tree_;
+    double largest_ = 0;
+};
+
+bool isUnreached(const WetPart& part) {
+    return part.size - part.reached > unreachedFraction * part.size;
+}
+
+} // namespace
+
+std::vector<WetPart> wetCoverage(const WetSurface& wet, const channel::Interface& fluid) {
+    SampledSurface surface = std::visit([](const auto& one) { return sampled(one); }, wet);
+    const FluidFaces faces(facetsOf(fluid, surface));
+    for (const WetSample& sample : surface.samples) {
+        if (faces.reach(sample)) {
+            surface.parts[sample.part].reached += sample.size;
+        }
+    }
+    return surface.parts;
+}
+
+std::string describeUnreached(const std::vector<WetPart>& parts) {
+    std::string text;
+    for (const WetPart& part : parts) {
+        if (isUnreached(part)) {
+            text += fmt::format("  {}: no face of the fluid lies before {:.0f} % of it\n",
+                                part.name, 100 * (1 - part.reached / part.size));
+        }
+    }
+    return text;
+}
+
+void requireReached(const std::vector<WetPart>& parts) {
+    const std::string unreached = describeUnreached(parts);
+    if (!unreached.empty()) {
+        throw InputError(
+            "wet parts of the structure that the fluid's patches do not reach, so that no "
+            "force acts there:\n" +
+            unreached +
+            "couple the patch that lies there, take the part out of coupling.interface, or "
+            "accept it by coupling.unreached: accept");
+    }
+}
+
+} // namespace tokay::structure

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "common/errors.hpp"
+#include "geometry/primitives/primitives.hpp"
+#include "geometry/spline/refinement.hpp"
+#include "igaStructure/ScriptedFluid.hpp"
+#include "igaStructure/coupledRun/wetCoverage.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+using namespace tokay;
+using namespace tokay::structure;
+
+namespace {
+
+using testing::HasSubstr;
+
+/// Left, top and right of the example's flap, 0.1 m by 1 m.
+WetSurface flap() {
+    const geometry::NurbsSurface surface =
+        geometry::refine(geometry::rectangle({-0.05, 0, 0}, 0.1, 1), 2, 3, 2, 8);
+    std::vector<mapper::SplinePiece> pieces;
+    for (const char* name : {"left", "top", "right"}) {
+        geometry::BoundaryCurve edge = surface.boundaryCurve(geometry::edgeFromName(name));
+        pieces.push_back({std::move(edge.curve), std::move(edge.controlPoints), name});
+    }
+    return mapper::SplineInterface(std::move(pieces), surface.nControlPoints());
+}
+
+/// The fluid's interface without the faces from begin to end.
+channel::Interface without(channel::Interface fluid, std::size_t begin, std::size_t end) {
+    channel::Interface left = fluid;
+    left.facePoints.clear();
+    left.faceOffsets.assign(1, 0);
+    for (std::size_t face = 0; face + 1 < fluid.faceOffsets.size(); ++face) {
+        if (face < begin || face >= end) {
+            left.facePoints.insert(left.facePoints.end(),
+                                   fluid.facePoints.begin() + fluid.faceOffsets[face],
+                                   fluid.facePoints.begin() + fluid.faceOffsets[face + 1]);
+            left.faceOffsets.push_back(static_cast<std::uint32_t>(left.facePoints.size()));
+        }
+    }
+    return left;
+}
+
+std::vector<double> fractions(const std::vector<WetPart>& parts) {
+    std::vector<double> result;
+    for (const WetPart& part : parts) {
+        result.push_back(part.reached / part.size);
+    }
+    return result;
+}
+
+} // namespace
+
+TEST(WetCoverage, allPartsAreReachedByFacesAroundThemWhateverTheirSize) {
+    for (const int nFaces : {1, 3, 40}) {
+        const auto parts = wetCoverage(flap(), flapInterface(nFaces));
+        EXPECT_EQ(fractions(parts), std::vector<double>({1, 1, 1})) << nFaces;
+        EXPECT_NO_THROW(requireReached(parts));
+        EXPECT_NEAR(parts[1].size, 0.1, 1e-12);
+    }
+}
+
+TEST(WetCoverage, anEdgeWithoutFacesIsNamedThoughItsEndsBelongToFaces) {
+    const auto parts = wetCoverage(flap(), without(flapInterface(6), 6, 7));
+    EXPECT_EQ(fractions(parts), std::vector<double>({1, 0, 1}));
+    try {
+        requireReached(parts);
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("top: no face of the fluid lies before 100 % of it"));
+        EXPECT_THAT(error.what(), HasSubstr("coupling.unreached: accept"));
+    }
+}
+
+TEST(WetCoverage, thePartOfAnEdgeThatIsReachedIsItsFraction) {
+    // The upper half of the left edge is missing
+    const auto parts = wetCoverage(flap(), without(flapInterface(8), 4, 8));
+    EXPECT_EQ(fractions(parts), std::vector<double>({0.5, 1, 1}));
+}
+
+TEST(WetCoverage, facesOfTheOtherSideOfAThinBodyDoNotReachIt) {
+    // 0.1 m away from the left edge, faces of 1 m
+    const auto parts = wetCoverage(flap(), without(flapInterface(1), 0, 1));
+    EXPECT_EQ(fractions(parts), std::vector<double>({0, 1, 1}));
+}
+
+TEST(WetCoverage, chordsOfACylinderReachItAndHalfOfThemReachHalf) {
+    const geometry::NurbsSurface surface =
+        geometry::refine(geometry::cylinderPatch({0, 0, 0}, 1, 2, 0, 2 * M_PI), 2, 2, 8, 2);
+    std::vector<int> indices(surface.nControlPoints());
+    std::iota(indices.begin(), indices.end(), 0);
+    const WetSurface wet = mapper::SurfaceInterface(
+        {{geometry::TrimmedPatch(surface), indices, "wall"}}, surface.nControlPoints());
+
+    channel::Interface fluid;
+    constexpr int n = 12;
+    for (int i = 0; i < n; ++i) {
+        for (const double z : {0., 2.}) {
+            const double angle = 2 * M_PI * i / n;
+            fluid.points.insert(fluid.points.end(), {std::cos(angle), std::sin(angle), z});
+        }
+    }
+    fluid.faceOffsets.push_back(0);
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const std::uint32_t next = (i + 1) % n;
+        fluid.facePoints.insert(fluid.facePoints.end(), {2 * i, 2 * next, 2 * next + 1, 2 * i + 1});
+        fluid.faceOffsets.push_back(4 * (i + 1));
+    }
+    EXPECT_NEAR(fractions(wetCoverage(wet, fluid))[0], 1, 1e-12);
+    EXPECT_NEAR(fractions(wetCoverage(wet, without(fluid, 0, n / 2)))[0], 0.5, 1e-12);
+}
