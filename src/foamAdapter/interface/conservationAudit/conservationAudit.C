@@ -27,6 +27,14 @@ const char* reason(const Foam::word& quantity)
             "the two surfaces do not lie on each other: see the gaps in the "
             "mapping report";
     }
+    if (quantity == "power")
+    {
+        return
+            "fluid and structure do not move alike: the step ends with too "
+            "large a coupling residual, the mesh does not follow the "
+            "structure, or its faces are too coarse for the deflection "
+            "('coupling.mapping.loads' of the case file)";
+    }
     return
         "fluid and structure do not move alike: the step ends with too large a "
         "coupling residual, or the mesh does not follow the structure";
