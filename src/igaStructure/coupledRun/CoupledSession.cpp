@@ -109,8 +109,9 @@ void CoupledSession::start() {
     fluidRetries_ = fluid.retries;
     acceptedTime_ = fluid.startTime;
     boundary_.emplace(*body_, *case_.coupling, fluid);
-    const std::vector<WetPart> parts =
-        wetCoverage(body_->wetSurface(case_.coupling->interface), fluid);
+    const WetSurface wet = body_->wetSurface(case_.coupling->interface);
+    requireFacesOnBody(wet, fluid);
+    const std::vector<WetPart> parts = wetCoverage(wet, fluid);
     if (!case_.coupling->interface.empty() && case_.coupling->unreached == UnreachedParts::refuse) {
         requireReached(parts);
     }

@@ -207,6 +207,36 @@ class FluidFaces {
     double largest_ = 0;
 };
 
+std::vector<double> gapsOf(const mapper::Discretisation& wet, const channel::Interface& fluid) {
+    std::vector<double> gaps;
+    for (std::uint32_t i = 0; i * fluid.dimension < fluid.points.size(); ++i) {
+        gaps.push_back(wet.locate(pointOf(fluid, i)).gap);
+    }
+    return gaps;
+}
+
+/// A face of the fluid, and how far its corners are from the wet surface.
+struct FaceGap {
+    Point centre = Point::Zero();
+    double ofCorners = 0; ///< of the farthest one [m]
+    double radius = 0;    ///< of the face around its centre [m]
+};
+
+FaceGap faceGap(const channel::Interface& fluid, std::size_t face,
+                const std::vector<double>& gaps) {
+    const auto begin = fluid.facePoints.begin() + fluid.faceOffsets[face];
+    const auto end = fluid.facePoints.begin() + fluid.faceOffsets[face + 1];
+    FaceGap result;
+    for (auto corner = begin; corner != end; ++corner) {
+        result.centre += pointOf(fluid, *corner) / static_cast<double>(end - begin);
+        result.ofCorners = std::max(result.ofCorners, gaps[*corner]);
+    }
+    for (auto corner = begin; corner != end; ++corner) {
+        result.radius = std::max(result.radius, (pointOf(fluid, *corner) - result.centre).norm());
+    }
+    return result;
+}
+
 bool isUnreached(const WetPart& part) {
     return part.size - part.reached > unreachedFraction * part.size;
 }
@@ -222,6 +252,33 @@ std::vector<WetPart> wetCoverage(const WetSurface& wet, const channel::Interface
         }
     }
     return surface.parts;
+}
+
+void requireFacesOnBody(const WetSurface& wet, const channel::Interface& fluid) {
+    constexpr double sagitta = 0.6; // of a radius; four chords around a circle have 0.41
+    const mapper::Discretisation& surface =
+        std::visit([](const auto& one) -> const mapper::Discretisation& { return one; }, wet);
+    const std::vector<double> gaps = gapsOf(surface, fluid);
+    const std::size_t nFaces = fluid.faceOffsets.size() - 1;
+    std::size_t nStray = 0;
+    std::string first;
+    for (std::size_t face = 0; face < nFaces; ++face) {
+        const FaceGap gap = faceGap(fluid, face, gaps);
+        const double ofCentre = surface.locate(gap.centre).gap;
+        if (ofCentre > gap.ofCorners + sagitta * gap.radius && ++nStray == 1) {
+            first = fmt::format("({:.6g}, {:.6g}, {:.6g}) is {:.3g} m from the wet parts, its "
+                                "corners at most {:.3g} m",
+                                gap.centre.x(), gap.centre.y(), gap.centre.z(), ofCentre,
+                                gap.ofCorners);
+        }
+    }
+    if (nStray > 0) {
+        throw InputError(fmt::format(
+            "{} of {} faces of the fluid lie on a part of the structure that is not wet: the face "
+            "at {}; add that part to coupling.interface, or take the patch out of the entry "
+            "'patches' of the function object",
+            nStray, nFaces, first));
+    }
 }
 
 std::string describeUnreached(const std::vector<WetPart>& parts) {

@@ -22,6 +22,12 @@ struct WetPart {
 /// that is, whose centre is nearest to it. To the size of a quarter of a knot span.
 std::vector<WetPart> wetCoverage(const WetSurface& wet, const channel::Interface& fluid);
 
+/// Faces of the fluid whose corners lie on the wet surface, or at some distance from it,
+/// but whose centre is farther away than that by a third of the face: they lie on a part of
+/// the body that is not wet.
+/// @throws InputError that gives the number of such faces and the place of one
+void requireFacesOnBody(const WetSurface& wet, const channel::Interface& fluid);
+
 /// The parts of which more than a twentieth is not reached, for the log: lines.
 std::string describeUnreached(const std::vector<WetPart>& parts);
 

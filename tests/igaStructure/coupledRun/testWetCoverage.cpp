@@ -18,12 +18,12 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Left, top and right of the example's flap, 0.1 m by 1 m.
-WetSurface flap() {
+/// Edges of the example's flap, 0.1 m by 1 m.
+WetSurface flap(const std::vector<std::string>& names = {"left", "top", "right"}) {
     const geometry::NurbsSurface surface =
         geometry::refine(geometry::rectangle({-0.05, 0, 0}, 0.1, 1), 2, 3, 2, 8);
     std::vector<mapper::SplinePiece> pieces;
-    for (const char* name : {"left", "top", "right"}) {
+    for (const std::string& name : names) {
         geometry::BoundaryCurve edge = surface.boundaryCurve(geometry::edgeFromName(name));
         pieces.push_back({std::move(edge.curve), std::move(edge.controlPoints), name});
     }
@@ -89,6 +89,18 @@ TEST(WetCoverage, facesOfTheOtherSideOfAThinBodyDoNotReachIt) {
     EXPECT_EQ(fractions(parts), std::vector<double>({0, 1, 1}));
 }
 
+TEST(WetCoverage, aFaceOnAnEdgeThatIsNotWetIsRefusedThoughItsCornersLieOnOthers) {
+    EXPECT_NO_THROW(requireFacesOnBody(flap(), flapInterface(1)));
+    try {
+        requireFacesOnBody(flap({"left", "right"}), flapInterface(6));
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("1 of 13 faces of the fluid lie on a part of the "
+                                            "structure that is not wet: the face at (0, 1, 0) is "
+                                            "0.05 m from the wet parts, its corners at most 0 m"));
+    }
+}
+
 TEST(WetCoverage, chordsOfACylinderReachItAndHalfOfThemReachHalf) {
     const geometry::NurbsSurface surface =
         geometry::refine(geometry::cylinderPatch({0, 0, 0}, 1, 2, 0, 2 * M_PI), 2, 2, 8, 2);
@@ -111,6 +123,7 @@ TEST(WetCoverage, chordsOfACylinderReachItAndHalfOfThemReachHalf) {
         fluid.facePoints.insert(fluid.facePoints.end(), {2 * i, 2 * next, 2 * next + 1, 2 * i + 1});
         fluid.faceOffsets.push_back(4 * (i + 1));
     }
+    EXPECT_NO_THROW(requireFacesOnBody(wet, fluid));
     EXPECT_NEAR(fractions(wetCoverage(wet, fluid))[0], 1, 1e-12);
     EXPECT_NEAR(fractions(wetCoverage(wet, without(fluid, 0, n / 2)))[0], 0.5, 1e-12);
 }

@@ -36,4 +36,19 @@ accepted()
     expectText log.pimpleFoam "top: no face of the fluid lies before 100 % of it"
 }
 
+property dryPart "a forgotten patch: faces on a part that the case file does not name as wet are refused"
+dryPart()
+{
+    makeScene fluid
+    coupling patches '("flap.*")'
+    sed -i 's/flapTop { type fixedValue;/flapTop { type structureDisplacement;/' 0/pointDisplacement
+    sed -i 's/interface: \[left, top, right\]/interface: [left, right]/' ../structure/case.yaml
+    # One face on the top: its corners lie on the other sides
+    sed -i 's/(2 6 1)/(1 6 1)/' system/blockMeshDict
+    blockMesh > log.blockMesh 2>&1 || fail "blockMesh failed"
+    runFaultyFluid
+    expectText log.pimpleFoam "1 of 13 faces of the fluid lie on a part of the structure that is not wet" \
+        "add that part to coupling.interface"
+}
+
 runProperties "$@"
