@@ -66,7 +66,7 @@ void FsiParticipant::restoreMethod(const StartState& start, const Report& report
 void FsiParticipant::save() {
     const auto timed = timer_.enter(Phase::output);
     const VectorXd ofStructure = boundary_.displacements(integrator_.state().displacement);
-    const double residual = (ofStructure - method_->x()).lpNorm<Eigen::Infinity>();
+    const VectorXd residual = ofStructure - method_->x();
     SavedState state{case_.digest,
                      integrator_.state(),
                      integrator_.energies(),

@@ -34,8 +34,8 @@ struct Coupling : Located {
     LoadTransfer loads = LoadTransfer::integrated;
     std::vector<std::string> interface; ///< names of the wet parts; empty: all of a thin body
     UnreachedParts unreached = UnreachedParts::refuse; ///< with names in interface
-    double gapLimit = 0.01;             ///< relative to the interface's extent
-    int substeps = 1;                   ///< of the structure in a time step of the fluid
+    double gapLimit = 0.01;                            ///< relative to the interface's extent
+    int substeps = 1; ///< of the structure in a time step of the fluid
     coupling::CouplingOptions options;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/errors.hpp"
+#include "coupling/couplingMethods.hpp"
 #include "igaStructure/ScriptedFluid.hpp"
 #include "igaStructure/coupledRun/DisplacementRecord.hpp"
 #include "igaStructure/exampleCase.hpp"

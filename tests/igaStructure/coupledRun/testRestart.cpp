@@ -38,7 +38,7 @@ SavedState exampleState(double time) {
     state.energies = {1, 2, 3, 4};
     state.interface = Eigen::VectorXd::LinSpaced(9, -1, 0.3).reshaped(3, 3);
     state.interfaceDisplacement = Eigen::VectorXd::LinSpaced(6, 1e-3, 1);
-    state.interfaceResidual = 1e-5;
+    state.interfaceResidual = Eigen::VectorXd::LinSpaced(6, -1e-5, 1e-5);
     state.coupling = {7, 0, 255};
     return state;
 }

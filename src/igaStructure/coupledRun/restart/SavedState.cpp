@@ -68,7 +68,7 @@ std::vector<std::uint8_t> encodeState(const SavedState& state) {
     }
     write.matrix(state.interface);
     write.matrix(state.interfaceDisplacement);
-    write.number(state.interfaceResidual);
+    write.matrix(state.interfaceResidual);
     write.integer(static_cast<int>(state.coupling.size()));
     bytes.insert(bytes.end(), state.coupling.begin(), state.coupling.end());
     write.integer(static_cast<int>(checksum(bytes.data(), bytes.size())));
@@ -100,7 +100,10 @@ SavedState readState(const std::vector<std::uint8_t>& bytes) {
     }
     state.interface = interface;
     state.interfaceDisplacement = read.vector();
-    state.interfaceResidual = read.number();
+    state.interfaceResidual = read.vector();
+    if (state.interfaceResidual.size() != state.interfaceDisplacement.size()) {
+        throw channel::PeerError("the displacements of its interface have different lengths");
+    }
     const int size = read.integer();
     if (size < 0 || static_cast<std::size_t>(size) + checksumSize != read.remaining()) {
         throw channel::PeerError("it is cut off, or something follows its end");

@@ -17,8 +17,8 @@ struct SavedState {
     Energies energies;
     geometry::Points interface;            ///< the fluid's points in the reference configuration
     Eigen::VectorXd interfaceDisplacement; ///< that the fluid has, a component a row [m]
-    /// Largest difference of that to motion.displacement at the interface [m]
-    double interfaceResidual = 0;
+    /// What motion.displacement differs from that by at the interface [m]
+    Eigen::VectorXd interfaceResidual;
     std::vector<std::uint8_t> coupling; ///< predictor's and accelerator's, a row a component
     std::string file{};                 ///< that it was read from, for messages
 };

@@ -101,11 +101,12 @@ void requireConsistent(const StartState& state, const Eigen::VectorXd& mapped) {
     if (state.components.empty()) {
         return;
     }
-    const Eigen::VectorXd saved = state.saved.interfaceDisplacement(state.components);
+    const Eigen::VectorXd saved = state.saved.interfaceDisplacement(state.components) +
+                                  state.saved.interfaceResidual(state.components);
     const double scale =
         std::max(saved.lpNorm<Eigen::Infinity>(), mapped.lpNorm<Eigen::Infinity>());
     const double distance = (saved - mapped).lpNorm<Eigen::Infinity>();
-    if (!(distance <= state.saved.interfaceResidual + mappingTolerance * scale)) {
+    if (!(distance <= mappingTolerance * scale)) {
         throwDamaged(state.saved.file,
                      fmt::format("the structure's displacement is off the interface's by {:.2g} of "
                                  "the largest one (or coupling.mapping is another one now: go on "
