@@ -90,6 +90,54 @@ TEST(ResponseModel, aRejectedStepLeavesNoTrace) {
     EXPECT_EQ(model.matrix().B(), B);
 }
 
+/// Response of a mode that the step of another length has not observed, after one that it
+/// has: there the fluid responds by `factor` times what it did before.
+double unobservedResponse(double ratio, double factor) {
+    ResponseModel model(withoutLeastNoise());
+    model.beginTimeStep();
+    model.learn(VectorXd::Unit(n, 0), -3 * VectorXd::Unit(n, 0), 0);
+    model.learn(VectorXd::Unit(n, 1), -VectorXd::Unit(n, 1), 0);
+    model.acceptTimeStep();
+    model.changeTimeStep(ratio);
+    model.beginTimeStep();
+    EXPECT_NEAR(model.matrix().apply(VectorXd::Unit(n, 1), n)[1], -ratio * ratio, 1e-13);
+    model.learn(VectorXd::Unit(n, 0), -3 * factor * VectorXd::Unit(n, 0), 0);
+    EXPECT_NEAR(model.matrix().apply(VectorXd::Unit(n, 0), n)[0], -3 * factor, 1e-13);
+    return -model.matrix().apply(VectorXd::Unit(n, 1), n)[1];
+}
+
+TEST(ResponseModel, aStepOfAnotherLengthShowsHowMuchOfTheResponseIsInertia) {
+    for (const double ratio : {0.5, 2.0, 4.0}) {
+        EXPECT_NEAR(unobservedResponse(ratio, ratio * ratio), ratio * ratio, 1e-13);
+        EXPECT_NEAR(unobservedResponse(ratio, ratio), ratio, 1e-13); // damping
+        EXPECT_NEAR(unobservedResponse(ratio, 1), 1, 1e-13);         // stiffness
+    }
+    // A force that turns round says nothing about the others.
+    EXPECT_NEAR(unobservedResponse(2, -1), 1 / 2.25, 1e-13);
+    EXPECT_NEAR(unobservedResponse(2, 100), 4 * 2.25, 1e-13);
+}
+
+TEST(ResponseModel, aStepOfTheSameLengthIsNotRescaled) {
+    EXPECT_NEAR(unobservedResponse(1, 3), 1, 1e-13);
+}
+
+TEST(ResponseModel, aStepThatIsRejectedTwiceIsRescaledFromTheLastAcceptedOne) {
+    ResponseModel model(withoutLeastNoise());
+    model.beginTimeStep();
+    model.learn(VectorXd::Unit(n, 0), VectorXd::Unit(n, 0), 0);
+    model.learn(VectorXd::Unit(n, 1), VectorXd::Unit(n, 1), 0);
+    model.acceptTimeStep();
+    for (int retry = 0; retry < 2; ++retry) {
+        model.changeTimeStep(2);
+        model.beginTimeStep();
+        model.rejectTimeStep();
+    }
+    model.changeTimeStep(2);
+    model.beginTimeStep();
+    model.learn(VectorXd::Unit(n, 0), VectorXd::Unit(n, 0), 0); // stiffness, as before
+    EXPECT_NEAR(model.matrix().apply(VectorXd::Unit(n, 1), n)[1], 1, 1e-13);
+}
+
 TEST(ResponseModel, rankStaysBounded) {
     std::srand(5);
     ResponseOptions options;

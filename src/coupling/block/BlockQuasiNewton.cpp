@@ -51,8 +51,7 @@ const VectorXd& BlockQuasiNewton::predict(double deltaT) {
     lag_.beginTimeStep();
     previousX_.resize(0);
     if (deltaTOfModel_ > 0 && deltaTOfModel_ != deltaT) {
-        // Forces of the fluid's inertia belong to accelerations: they go as x / Δt².
-        model_.scale(std::pow(deltaTOfModel_ / deltaT, 2));
+        model_.changeTimeStep(deltaTOfModel_ / deltaT);
     }
     deltaTOfModel_ = deltaT;
     model_.beginTimeStep();

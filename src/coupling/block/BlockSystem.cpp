@@ -51,24 +51,26 @@ Eigen::VectorXd BlockSystem::solve(Eigen::VectorXd d, double tolerance) const {
         double length = 1;
         Eigen::VectorXd next = d + step;
         Eigen::VectorXd nextImbalance = imbalance(next);
-        while (!(nextImbalance.norm() <= (1 - 1e-4 * length) * current.norm()) && length > 1e-3 &&
-               !(length * step.norm() <= tolerance * next.norm())) {
+        const auto hasDecreased = [&] {
+            return nextImbalance.norm() <= (1 - 1e-4 * length) * current.norm();
+        };
+        const auto isShort = [&] { return length * step.norm() <= tolerance * next.norm(); };
+        while (!hasDecreased() && length > 1e-3 && !isShort()) {
             length /= 2;
             next = d + length * step;
             nextImbalance = imbalance(next);
         }
-        if (!nextImbalance.allFinite()) {
-            break;
+        if (isShort() && nextImbalance.allFinite()) {
+            return next;
+        }
+        if (!hasDecreased()) {
+            break; // in no length of this direction
         }
         d = next;
         current = nextImbalance;
-        if (length * step.norm() <= tolerance * d.norm()) {
-            return d;
-        }
     }
-    throw SolverError("the structural solution in the fluid was not found in " +
-                      std::to_string(maxIterations) +
-                      " iterations of Newton's method: use smaller time steps");
+    throw SolverError("the structural solution in the fluid was not found by Newton's method: use "
+                      "smaller time steps");
 }
 
 } // namespace tokay::coupling

@@ -8,12 +8,62 @@ namespace tokay::coupling {
 
 using Eigen::VectorXd;
 
+namespace {
+
+/// Factor between the inertia in a step of second-order backward differences and in
+/// Euler's, by which a scheme may begin anew.
+constexpr double schemeFactor = 2.25;
+
+} // namespace
+
 void ResponseModel::beginTimeStep() {
     atBegin_ = J_;
     observed_ = {};
+    differences_.clear();
+}
+
+void ResponseModel::changeTimeStep(double ratio) {
+    J_.scale(ratio * ratio);
+    scaledBy_ *= ratio * ratio;
 }
 
 void ResponseModel::learn(const VectorXd& v, const VectorXd& w, double noise) {
+    const Difference difference{v, w, noise};
+    if (scaledBy_ == 1) {
+        add(difference);
+        return;
+    }
+    differences_.push_back(difference);
+    J_ = atBegin_;
+    J_.scale(bestFactor());
+    observed_ = {};
+    for (const Difference& each : differences_) {
+        add(each);
+    }
+}
+
+/// The f that minimises the sum of |w - f J v|² / |w|², each difference counting the less
+/// the closer it is to its noise, between those of inertia alone and of no inertia.
+double ResponseModel::bestFactor() const {
+    double agreement = 0;
+    double size = 0;
+    for (const Difference& each : differences_) {
+        const VectorXd expected = atBegin_.apply(each.v, each.w.size());
+        const double signal = each.v.squaredNorm();
+        const double scale = each.w.squaredNorm() * (signal + each.noise * each.noise);
+        if (scale > 0) {
+            agreement += signal / scale * expected.dot(each.w);
+            size += signal / scale * expected.squaredNorm();
+        }
+    }
+    const double withoutInertia = 1 / scaledBy_;
+    return std::clamp(size > 0 ? agreement / size : 1.0,
+                      std::min(1.0, withoutInertia) / schemeFactor,
+                      std::max(1.0, withoutInertia) * schemeFactor);
+}
+
+void ResponseModel::add(const Difference& difference) {
+    const auto& [v, w, noise] = difference;
     const VectorXd fresh = v - observed_.apply(v, v.size());
     const double news = std::clamp(v.dot(fresh), 0.0, v.squaredNorm());
     const double leastNoise = std::pow(options_.filterLimit, 2) * (v.squaredNorm() - news);
@@ -26,6 +76,7 @@ void ResponseModel::learn(const VectorXd& v, const VectorXd& w, double noise) {
 
 void ResponseModel::acceptTimeStep() {
     J_.limitRank(options_);
+    scaledBy_ = 1;
 }
 
 } // namespace tokay::coupling

@@ -4,6 +4,8 @@
 #include "coupling/history/LowRankMatrix.hpp"
 #include "coupling/step/StepHistory.hpp"
 
+#include <vector>
+
 namespace tokay::coupling {
 
 struct ResponseOptions : RankOptions {
@@ -49,6 +51,7 @@ class ResponseModel : public StepHistory {
     void reset() {
         J_ = {};
         observed_ = {};
+        scaledBy_ = 1;
     }
 
     void acceptTimeStep() override;
@@ -58,14 +61,29 @@ class ResponseModel : public StepHistory {
         J_.restore(state, LowRankMatrix::Rows::ofStructure);
     }
 
-    /// Multiplies J, e.g. when the time step changes.
-    void scale(double factor) { J_.scale(factor); }
+    /// Before a step of another length: J as if all of it were the fluid's inertia, whose
+    /// forces belong to accelerations and so go as x / Δt². Forces by velocity go as
+    /// x / Δt, by displacement as x, and at a change a multistep scheme differs: the
+    /// differences of the step then rescale J by the factor that fits them best.
+    /// @param ratio  earlier over new length
+    void changeTimeStep(double ratio);
 
   private:
+    struct Difference {
+        Eigen::VectorXd v;
+        Eigen::VectorXd w;
+        double noise;
+    };
+
+    void add(const Difference& difference);
+    double bestFactor() const;
+
     ResponseOptions options_;
     LowRankMatrix J_;
-    LowRankMatrix atBegin_;  ///< J, restored if the step is rejected
-    LowRankMatrix observed_; ///< 1 - P
+    LowRankMatrix atBegin_;               ///< J, restored if the step is rejected
+    LowRankMatrix observed_;              ///< 1 - P
+    double scaledBy_ = 1;                 ///< since the last accepted step
+    std::vector<Difference> differences_; ///< of the step, if it is of another length
 };
 
 } // namespace tokay::coupling

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The block method when the length of the time step changes, in fluids whose forces have
+// parts by acceleration, velocity and displacement, which change by different factors.
+#include "Ring.hpp"
+#include "coupling/couplingMethods.hpp"
+
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <vector>
+
+namespace tokay::coupling {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr int maxEvaluations = 50;
+
+/// A time step until it converges.
+/// @param follower  accepts the same step without having iterated
+/// @return          evaluations of the fluid
+int advance(Ring& ring, CouplingMethod& method, CouplingMethod* follower = nullptr) {
+    ring.beginTimeStep();
+    VectorXd x = method.predict(ring.deltaT());
+    for (int n = 1; n <= maxEvaluations; ++n) {
+        const VectorXd forces = ring.fluid(x);
+        ring.startFrom(x);
+        const CouplingIteration iteration = method.iterate(forces, 0);
+        if (iteration.converged) {
+            method.accept(forces);
+            if (follower) {
+                follower->predict(ring.deltaT());
+                follower->accept(forces);
+            }
+            ring.acceptTimeStep(x);
+            return n;
+        }
+        x = iteration.x;
+    }
+    ADD_FAILURE() << "a step has not converged";
+    return maxEvaluations;
+}
+
+struct Evaluations {
+    std::vector<int> after; ///< in the first steps of the new length
+    int ofFreshStart = 0;   ///< in the first of them, predicted alike, with nothing learned
+};
+
+struct Change {
+    double ratio;          ///< new over earlier length
+    bool restarts = false; ///< the fluid begins by Euler's differences
+};
+
+std::ostream& operator<<(std::ostream& out, const Change& change) {
+    return out << "ratio " << change.ratio << (change.restarts ? ", restart" : "");
+}
+
+Evaluations evaluationsAfter(const Change& change, Ring ring) {
+    const auto method = makeCouplingMethod(CouplingOptions(), 1e-6, ring);
+    const auto fresh = makeCouplingMethod(CouplingOptions(), 1e-6, ring);
+    for (int step = 0; step < 15; ++step) {
+        advance(ring, *method, fresh.get());
+    }
+    ring.setDeltaT(change.ratio * ring.deltaT());
+    if (change.restarts) {
+        ring.forgetOlderTimes();
+    }
+    const Ring begin = ring;
+    Evaluations result;
+    for (int step = 0; step < 3; ++step) {
+        result.after.push_back(advance(ring, *method));
+    }
+    ring = begin;
+    result.ofFreshStart = advance(ring, *fresh);
+    return result;
+}
+
+class StepChange : public testing::TestWithParam<Change> {};
+
+/// Stiffnesses relative to the wall's own, which holds down to -1; dampings likewise.
+const RingFluid fluids[] = {{0, 0}, {20, 0}, {0, 1}, {0, 5}, {0, -0.2}, {0, -0.8}, {5, 0.5}};
+
+/// What was learned may be worth nothing, but then must not cost much. (Before J was
+/// rescaled by what the new step shows: up to 18 iterations where a fresh start takes 7.)
+TEST_P(StepChange, costsLittleMoreThanAFreshStartAtMostWhateverTheFluidsForcesAreOf) {
+    for (RingFluid fluid : fluids) {
+        for (const double massRatio : {0.1, 1.0, 10.0, 100.0, 1000.0}) {
+            fluid.isEuler = massRatio == 1 || massRatio == 100;
+            const Evaluations evaluations =
+                evaluationsAfter(GetParam(), Ring(RingWall::linear, massRatio, fluid));
+            // At -0.8 the fluid all but outweighs the wall.
+            const int allowedMore = fluid.stiffness < -0.5 ? 6 : 2;
+            EXPECT_LE(evaluations.after.front(), evaluations.ofFreshStart + allowedMore)
+                << "mass " << massRatio << " damping " << fluid.damping << " stiffness "
+                << fluid.stiffness;
+        }
+    }
+}
+
+TEST_P(StepChange, costsOneIterationMoreThanAFreshStartAtMostWithAWallThatIsNotLinear) {
+    for (const RingFluid& fluid : {RingFluid{0, 0}, RingFluid{0, 1}, RingFluid{0, -0.2}}) {
+        for (const double massRatio : {1.0, 1000.0}) {
+            const Evaluations evaluations =
+                evaluationsAfter(GetParam(), Ring(RingWall::cubic, massRatio, fluid));
+            EXPECT_LE(evaluations.after.front(), evaluations.ofFreshStart + 1)
+                << "mass " << massRatio << " stiffness " << fluid.stiffness;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Ratios, StepChange,
+                         testing::Values(Change{0.5}, Change{0.25}, Change{2}, Change{0.5, true}));
+
+TEST(StepChangeOfAHeavyFluid, keepsWhatWasLearnedOfInertia) {
+    for (const double ratio : {0.5, 0.25, 2.0}) {
+        const Evaluations evaluations = evaluationsAfter({ratio}, Ring(RingWall::linear, 1000));
+        EXPECT_LE(3 * evaluations.after.front(), evaluations.ofFreshStart) << ratio;
+    }
+}
+
+} // namespace
+} // namespace tokay::coupling
