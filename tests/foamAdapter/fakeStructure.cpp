@@ -208,7 +208,7 @@ class Structure {
         }
     }
 
-    /// Shear in x, proportional to the last coordinate; with "creeps" each
+    /// Shear in x, proportional to y, in space to y z; with "creeps" each
     /// exchange of a step adds to it, the last one too; with "leaps" steps longer
     /// than 0.006 s end far away.
     void sway(std::vector<double>& values) const {
@@ -216,7 +216,8 @@ class Structure {
             0.05 * std::sin(20 * time_) * (behaves("creeps") ? 1 - std::pow(0.5, exchange_) : 1) +
             (behaves("leaps") && deltaT_ > 0.006 ? 5 : 0);
         for (std::size_t i = 0; i < values.size(); i += interface_.dimension) {
-            values[i] = amplitude * interface_.points[i + interface_.dimension - 1];
+            const double z = interface_.dimension == 3 ? interface_.points[i + 2] : 1;
+            values[i] = amplitude * interface_.points[i + 1] * z;
         }
     }
 

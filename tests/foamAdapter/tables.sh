@@ -114,12 +114,13 @@ flapPoints()
     awk -v a="$1" -v u="$2" '$a > -0.0501 && $a < 0.0501 && $u < 1.0001' | sort
 }
 
-# expectSway ACROSS UP FILE NPOINTS: the rows have fakeStructure's sway at 0.03 s
+# expectSway ACROSS UP FILE NPOINTS [DEPTH]: the rows have fakeStructure's sway at
+# 0.03 s; in space DEPTH is the column of the third coordinate
 expectSway()
 {
     expectEqual "points on the flap" "$(wc -l < "$3")" "$4"
-    awk -v a="$1" -v u="$2" -v OFMT=%.15g '
-        { for (c = 1; c <= 3; ++c) print c == a ? 0.05*sin(20*0.03)*$u : 0 }' "$3" > expected
+    awk -v a="$1" -v u="$2" -v d="${5:-0}" -v OFMT=%.15g '
+        { for (c = 1; c <= 3; ++c) print c == a ? 0.05*sin(20*0.03)*$u*(d ? $d : 1) : 0 }' "$3" > expected
     awk '{ print $4; print $5; print $6 }' "$3" > actual
     # Coordinates of up to 4 with 14 digits, against displacements of 0.03
     expectSameTable displacement 1e-11 expected actual

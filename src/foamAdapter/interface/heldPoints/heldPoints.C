@@ -163,9 +163,9 @@ Foam::string Foam::heldPoints::check(const List<vectorField>& displacement)
             break;
         }
     }
-    os  << ". Let pointDisplacement on that patch follow, by a condition that "
-        << "leaves such points free (slip, symmetry, zeroGradient), couple "
-        << "the patch as well, or support the structure there";
+    os  << ". Support the structure there, couple that patch as well, or let "
+        << "its pointDisplacement follow, by a condition that leaves the "
+        << "points free in this direction";
     if (largest > refusedFraction*scale)
     {
         return os.str();
