@@ -5,6 +5,7 @@
 #include "channel/allFinite.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace tokay::channel {
@@ -56,7 +57,7 @@ void requireTimes(const Interface& interface) {
         throw PeerError("it starts at " + text(interface.startTime) + " s and ends at " +
                         text(interface.endTime) + " s");
     }
-    if (!(interface.deltaT >= 0 && std::isfinite(interface.deltaT))) {
+    if (!std::isfinite(interface.deltaT) || interface.deltaT < 0) {
         throw PeerError("its time step is " + text(interface.deltaT) + " s");
     }
 }
@@ -119,7 +120,8 @@ void requireUsable(const Displacements& answer, const Message& question,
                         std::to_string(agreement.nValues));
     }
     requireFinite(answer.values, "the structure's displacement");
-    if (!(answer.residual >= 0 && std::isfinite(answer.residual))) {
+    // In this order: a solver that traps floating point exceptions compares no NaN.
+    if (!std::isfinite(answer.residual) || answer.residual < 0) {
         throw PeerError("the structure's coupling residual is " + text(answer.residual));
     }
     if (answer.state == State::converged && !(answer.residual < agreement.tolerance)) {
