@@ -11,6 +11,9 @@
 namespace tokay::channel {
 namespace {
 
+// No structure goes so many times its own size away; a flow would only overflow there.
+constexpr double maxRelativeDisplacement = 1e6;
+
 // A name and a version.
 constexpr std::size_t longestName = 200;
 
@@ -82,7 +85,31 @@ std::string describeQuestion(const Message& question) {
     return !forces ? "the begin of a time step" : forces->final ? "final forces" : "forces";
 }
 
+void requireDisplacements(const std::vector<double>& values, const Agreement& agreement) {
+    if (values.size() != agreement.nValues) {
+        throw PeerError("the structure sent " + std::to_string(values.size()) +
+                        " displacement components where the interface has " +
+                        std::to_string(agreement.nValues));
+    }
+    requireFinite(values, "the structure's displacement");
+    const double limit = maxRelativeDisplacement * agreement.extent;
+    for (const double value : values) {
+        if (std::abs(value) > limit) {
+            throw PeerError("the structure's displacement is " + text(value) +
+                            " m at an interface of " + text(agreement.extent) + " m");
+        }
+    }
+}
+
 } // namespace
+
+Agreement::Agreement(const Interface& interface)
+    : nValues(interface.points.size()), tolerance(interface.tolerance) {
+    for (std::size_t i = 0; i < nValues; ++i) {
+        const std::size_t first = i % interface.dimension;
+        extent = std::max(extent, std::abs(interface.points[i] - interface.points[first]));
+    }
+}
 
 void requireConsistent(const Hello& hello) {
     requireLine(hello.program);
@@ -114,12 +141,7 @@ void requireUsable(const Displacements& answer, const Message& question,
     if (answer.state == State::rejected) {
         return; // nothing of it is used but the reason
     }
-    if (answer.values.size() != agreement.nValues) {
-        throw PeerError("the structure sent " + std::to_string(answer.values.size()) +
-                        " displacement components where the interface has " +
-                        std::to_string(agreement.nValues));
-    }
-    requireFinite(answer.values, "the structure's displacement");
+    requireDisplacements(answer.values, agreement);
     // In this order: a solver that traps floating point exceptions compares no NaN.
     if (!std::isfinite(answer.residual) || answer.residual < 0) {
         throw PeerError("the structure's coupling residual is " + text(answer.residual));

@@ -81,6 +81,14 @@ TEST(Answer, withOtherThanOneFiniteDisplacementAComponentIsRefused) {
     EXPECT_THAT(refusal(answer, finalForces), HasSubstr("is not finite, component 3 of 12"));
 }
 
+TEST(Answer, thatIsAMillionTimesTheInterfaceAwayIsRefused) {
+    Displacements answer = answerOf(State::iterate);
+    answer.values[5] = -0.9e6;
+    EXPECT_EQ(refusal(answer), ""); // the interface is 1 m long
+    answer.values[5] = -1e300;
+    EXPECT_THAT(refusal(answer), HasSubstr("displacement is -1e+300 m at an interface of 1 m"));
+}
+
 TEST(Answer, withABalanceThatIsNotFiniteIsRefused) {
     Displacements answer = answerOf(State::accepted);
     answer.balance = InterfaceBalance{{1, 2, 3}, {4, 5, 6}, 7, std::nan("")};
