@@ -70,14 +70,17 @@ const char* nameOfState(State state) {
     return names.at(static_cast<std::size_t>(state));
 }
 
-/// A prediction is to be iterated, final forces end the step.
+/// A prediction is to be iterated, final forces end the step, unless they are to do so
+/// only if it has converged.
 bool allows(const Message& question, State state) {
     const auto* forces = std::get_if<Forces>(&question);
     if (!forces) {
         return state == State::iterate;
     }
-    const bool ends = state == State::accepted;
-    return state == State::rejected || ends == forces->final;
+    if (state == State::accepted) {
+        return forces->final;
+    }
+    return state == State::rejected || !forces->final || forces->ifConverged;
 }
 
 std::string describeQuestion(const Message& question) {

@@ -43,6 +43,13 @@ TEST(Answer, thatTheQuestionAllowsIsUsed) {
     }
 }
 
+TEST(Answer, thatGoesOnWhereOnlyAConvergedStepEndsIsUsed) {
+    const Message ifConverged = Forces{true, false, 0, {}, true};
+    for (const State state : {State::iterate, State::converged, State::accepted, State::rejected}) {
+        EXPECT_EQ(refusal(answerOf(state), ifConverged), "");
+    }
+}
+
 TEST(Answer, ofAStateThatTheQuestionDoesNotAllowIsRefused) {
     for (const State state : {State::converged, State::accepted, State::rejected}) {
         EXPECT_THAT(refusal(answerOf(state), begin), HasSubstr("to the begin of a time step"));

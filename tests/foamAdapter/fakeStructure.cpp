@@ -126,11 +126,12 @@ class Structure {
                 record_.add(*step);
                 time_ = step->time;
                 deltaT_ = step->deltaT;
-                exchange_ = 0;
+                exchange_ = nFinals_ = 0;
                 answer(State::iterate);
             } else if (const auto* forces = std::get_if<Forces>(&message)) {
                 record_.add(*forces);
                 ++exchange_;
+                nFinals_ += forces->final;
                 misbehave();
                 answer(stateAfter(*forces));
             } else if (const auto* rejection = std::get_if<RejectStep>(&message)) {
@@ -147,7 +148,8 @@ class Structure {
             return State::rejected;
         }
         if (forces.final) {
-            return State::accepted;
+            const bool asks = (behaves("asksOnce") && nFinals_ == 1) || behaves("asksForever");
+            return asks && forces.ifConverged ? State::iterate : State::accepted;
         }
         const bool iterates = behaves("neverConverges") || (behaves("rejects") && exchange_ < 4) ||
                               (behaves("convergesShort") && (deltaT_ > 0.006 || exchange_ < 4)) ||
@@ -198,8 +200,6 @@ class Structure {
             displacements.residual = std::numeric_limits<double>::quiet_NaN();
         } else if (behaves("acceptsEarly") && isAnswer) {
             displacements.state = State::accepted;
-        } else if (behaves("neverAccepts") && displacements.state == State::accepted) {
-            displacements.state = State::converged;
         } else if (behaves("rejectsPrediction") || (behaves("rejectsSilently") && isAnswer)) {
             displacements.state = State::rejected;
             displacements.values.clear();
@@ -245,6 +245,7 @@ class Structure {
     double time_ = 0;
     double deltaT_ = 0;
     int exchange_ = 0;
+    int nFinals_ = 0; ///< final forces of this step
 };
 
 } // namespace

@@ -69,6 +69,44 @@ iterations()
     awk '$3 < 5 { exit 1 }' steps || fail "a step has ended before the structure had converged"
 }
 
+property judged "a final outer corrector that leaves too large a residual is followed by others"
+judged()
+{
+    makeCase fluid
+    behave asksOnce
+    runFluid
+    steps record > steps
+    expectEqual "final iterations per step" "$(cut -d ' ' -f 4 steps | sort -u)" 2
+    expectEqual "times written" "$(timeFolders)" "0.01 0.02 0.03 "
+    # The loop has gone on, and its last corrector is the one in the table
+    expectEqual "outer correctors" "$(table | awk '{ print $3 }' | tr '\n' ' ')" \
+        "$(grep 'PIMPLE: converged in' log.pimpleFoam | awk '{ print $4 }' | tr '\n' ' ')"
+    expectEqual "residual" "$(table | awk '{ print $5 }' | sort -u)" 0
+    expectEqual "converged" "$(table | awk '{ print $7 }' | sort -u)" 1
+}
+
+property neverAccepted "a step whose last outer corrector leaves too large a residual did not converge"
+neverAccepted()
+{
+    makeCase fluid
+    behave asksForever
+    entry system/fvSolution PIMPLE.nOuterCorrectors 12
+    runFaultyFluid
+    expectText log.pimpleFoam "time 0.01 s did not converge in 12 outer correctors: coupling residual 1 (tolerance 0.0001)"
+}
+
+property acceptedNevertheless "such a step is accepted with a warning, if the case asks for that"
+acceptedNevertheless()
+{
+    makeCase fluid
+    behave asksForever
+    entry system/fvSolution PIMPLE.nOuterCorrectors 12
+    coupling onUnconverged warn
+    runFluid
+    expectText log.pimpleFoam "accepted nevertheless, by 'onUnconverged warn'"
+    expectEqual "outer correctors" "$(table | awk '{ print $3 }' | sort -u)" 12
+}
+
 property couplingInterval "with an interval of two every second outer corrector is coupled, and the final one"
 couplingInterval()
 {

@@ -61,7 +61,8 @@ CouplingIteration BlockQuasiNewton::iterate(const VectorXd& faceForces, double f
 }
 
 void BlockQuasiNewton::learn(const VectorXd& loads, double fluidResidual) {
-    if (previousX_.size() != 0 && lag_.isInformative()) {
+    const bool hasMoved = previousX_.size() != 0 && previousX_ != now_.x;
+    if (hasMoved && lag_.isInformative()) {
         // A move within the fluid's own error teaches little but its drift.
         const double noise = options_.signalToNoise * fluidResidual * now_.x.norm();
         model_.learn(now_.x - previousX_, loads - previousLoads_, noise);
@@ -95,7 +96,7 @@ BlockQuasiNewton::InterfaceState BlockQuasiNewton::nextState(const VectorXd& loa
     return at(now_.d + options_.initialRelaxation * (solve() - now_.d));
 }
 
-CouplingIteration BlockQuasiNewton::accept(const VectorXd& finalForces) {
+CouplingIteration BlockQuasiNewton::accept(const VectorXd& finalForces, double limit) {
     assert(deltaT_ > 0);
     // Loads as they are: the final corrector has had the displacement of the one before.
     const VectorXd loads = structure_.loads(finalForces, now_.d);
@@ -103,10 +104,14 @@ CouplingIteration BlockQuasiNewton::accept(const VectorXd& finalForces) {
     const VectorXd d = structure_.solveFor(loads + model_.matrix().apply(move, loads.size()));
     const VectorXd xTilde = structure_.displacements(d);
     const double residual = criteria_.displacementResidual(now_.x, xTilde);
+    if (!(residual < limit)) {
+        next_ = now_; // where the fluid has stayed
+        return {now_.x, residual, false};
+    }
     model_.acceptTimeStep();
     predictor_.accept(d, deltaT_);
     deltaT_ = 0;
-    return {xTilde, residual, residual < criteria_.tolerance()};
+    return {xTilde, residual, true};
 }
 
 void BlockQuasiNewton::reject() {

@@ -32,7 +32,8 @@ class BlockQuasiNewton : public CouplingMethod {
     CouplingIteration iterate(const Eigen::VectorXd& faceForces, double fluidResidual) override;
     /// Accepts the structural solution for what the final forces would do once the
     /// fluid had followed the structure to it, by what is known of its response.
-    CouplingIteration accept(const Eigen::VectorXd& finalForces) override;
+    CouplingIteration accept(const Eigen::VectorXd& finalForces,
+                             double limit = std::numeric_limits<double>::infinity()) override;
     void reject() override;
 
     std::string name() const override { return "block"; }

@@ -14,6 +14,7 @@ Aitken::Aitken(const CouplingOptions& options)
 
 void Aitken::beginTimeStep() {
     previousResidual_.resize(0);
+    previousX_.resize(0);
     // The last factor of the last step, unless it was bolder than the first.
     relaxation_ = std::min(relaxation_, initial_);
 }
@@ -21,10 +22,11 @@ void Aitken::beginTimeStep() {
 Eigen::VectorXd Aitken::next(const Eigen::VectorXd& x, const Eigen::VectorXd& xTilde,
                              double /*fluidResidual*/) {
     const Eigen::VectorXd residual = xTilde - x;
-    if (previousResidual_.size() != 0) {
+    if (previousResidual_.size() != 0 && previousX_ != x) {
         updateRelaxation(residual);
     }
     previousResidual_ = residual;
+    previousX_ = x;
     return x + relaxation_ * residual;
 }
 

@@ -31,6 +31,7 @@ class Aitken : public Accelerator {
     double largest_;
     double relaxation_;
     Eigen::VectorXd previousResidual_; ///< empty: first coupling iteration of the step
+    Eigen::VectorXd previousX_;        ///< that it belongs to
 };
 
 } // namespace tokay::coupling

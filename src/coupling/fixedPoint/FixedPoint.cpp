@@ -40,14 +40,19 @@ CouplingIteration FixedPoint::iterate(const VectorXd& faceForces, double fluidRe
     return {next_, residual, statistics_.converged};
 }
 
-CouplingIteration FixedPoint::accept(const VectorXd& finalForces) {
+CouplingIteration FixedPoint::accept(const VectorXd& finalForces, double limit) {
     assert(deltaT_ > 0);
     const VectorXd xTilde = structure_.solve(finalForces);
-    const double residual = criteria_.displacementResidual(x_, xTilde);
+    const double residual =
+        accelerator_->iterates() ? criteria_.displacementResidual(x_, xTilde) : 0;
+    if (!(residual < limit)) {
+        next_ = x_; // where the fluid has stayed
+        return {x_, residual, false};
+    }
     accelerator_->acceptTimeStep();
     predictor_.accept(xTilde, deltaT_);
     deltaT_ = 0;
-    return {xTilde, residual, residual < criteria_.tolerance()};
+    return {xTilde, residual, true};
 }
 
 void FixedPoint::reject() {

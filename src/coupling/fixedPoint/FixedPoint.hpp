@@ -26,7 +26,8 @@ class FixedPoint : public CouplingMethod {
 
     const Eigen::VectorXd& predict(double deltaT) override;
     CouplingIteration iterate(const Eigen::VectorXd& faceForces, double fluidResidual) override;
-    CouplingIteration accept(const Eigen::VectorXd& finalForces) override;
+    CouplingIteration accept(const Eigen::VectorXd& finalForces,
+                             double limit = std::numeric_limits<double>::infinity()) override;
     void reject() override;
 
     std::string name() const override { return "fixedPoint"; }

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include <limits>
 #include <string>
 
 namespace tokay::coupling {
@@ -58,10 +59,14 @@ class CouplingMethod {
     /// Ends the step with the structural solution for the final forces. For these
     /// the fluid has stayed where it was in the last coupling iteration: the x
     /// returned by that is not used.
-    /// @return  x of the structure, and the residual of the final forces
+    /// @param limit  of the residual: from there on the step does not end, and
+    ///               iterate() with these forces continues it
+    /// @return  x of the structure, the residual of the final forces, and whether the
+    ///          step has ended
     /// @throws  SolverError if the structure has no solution; the step may be
     ///          rejected then
-    virtual CouplingIteration accept(const Eigen::VectorXd& finalForces) = 0;
+    virtual CouplingIteration accept(const Eigen::VectorXd& finalForces,
+                                     double limit = std::numeric_limits<double>::infinity()) = 0;
 
     /// Takes the step back; it will be tried again, shorter.
     virtual void reject() = 0;

@@ -16,6 +16,7 @@ struct StructureResponse {
     Eigen::VectorXd displacements; ///< of the fluid's points [m]
     double residual = 1;           ///< of the coupling, to be below the fluid's tolerance
     bool converged = false;
+    bool accepted = false;    ///< the step has ended
     std::string failure = {}; ///< why the step has no solution; empty: it has one
     std::optional<channel::InterfaceBalance> balance{}; ///< of an accepted step, if wanted
 };
@@ -32,10 +33,10 @@ class CoupledParticipant {
     /// @param fluidResidual  initial residual of its momentum equation
     virtual StructureResponse iterate(const Eigen::VectorXd& faceForces, double fluidResidual) = 0;
 
-    /// The step ends with these forces.
-    /// @param writeResults  now
-    virtual StructureResponse acceptTimeStep(const Eigen::VectorXd& finalForces,
-                                             bool writeResults) = 0;
+    /// The step ends with these forces; or, if that is to be only when the residual is
+    /// below the tolerance and it is not, they are those of another coupling iteration.
+    /// @param final  on the fluid's faces, finite
+    virtual StructureResponse acceptTimeStep(const channel::Forces& final) = 0;
 
     /// Takes the step back; it begins again, shorter.
     virtual void rejectTimeStep() = 0;

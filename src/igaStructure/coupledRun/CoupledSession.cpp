@@ -153,7 +153,7 @@ void CoupledSession::advance(const BeginStep& begin) {
         const StructureResponse response = respondTo(*forces);
         if (!response.failure.empty()) {
             send(State::rejected, response);
-        } else if (!forces->final) {
+        } else if (!response.accepted) {
             send(response.converged ? State::converged : State::iterate, response);
         } else {
             if (recorder_) {
@@ -190,7 +190,7 @@ std::optional<Forces> CoupledSession::nextForces() {
 StructureResponse CoupledSession::respondTo(const Forces& forces) {
     try {
         const VectorXd faceForces = asVector(forces.values);
-        return forces.final ? participant_->acceptTimeStep(faceForces, forces.write)
+        return forces.final ? participant_->acceptTimeStep(forces)
                             : participant_->iterate(faceForces, forces.fluidResidual);
     } catch (const SolverError& error) {
         if (!fluidRetries_) {

@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 namespace tokay::structure {
 
 using Eigen::VectorXd;
@@ -20,7 +22,7 @@ FsiParticipant::FsiParticipant(const Case& structureCase, Body& body, const WetB
       integrator_(body.model(), *structureCase.implicitScheme(), structureCase.newton,
                   fluid.startTime, structureCase.coupling->substeps),
       structure_(body.model(), integrator_, boundary, timer), states_(stateFolder(structureCase)),
-      audits_(fluid.audit) {
+      tolerance_(fluid.tolerance), audits_(fluid.audit) {
     const std::optional<StartState> start =
         findStartState(structureCase, body.model().nUnknowns(), boundary.points(), fluid);
     if (start) {
@@ -95,14 +97,20 @@ StructureResponse FsiParticipant::iterate(const VectorXd& faceForces, double flu
     return {iteration.x, iteration.residual, iteration.converged};
 }
 
-StructureResponse FsiParticipant::acceptTimeStep(const VectorXd& finalForces, bool writeResults) {
+StructureResponse FsiParticipant::acceptTimeStep(const channel::Forces& final) {
+    const VectorXd finalForces = Eigen::Map<const VectorXd>(
+        final.values.data(), static_cast<Eigen::Index>(final.values.size()));
     const VectorXd before = integrator_.state().displacement;
-    const coupling::CouplingIteration last = accept(finalForces);
-    if (writeResults) {
+    const coupling::CouplingIteration last = accept(
+        finalForces, final.ifConverged ? tolerance_ : std::numeric_limits<double>::infinity());
+    if (!last.converged) {
+        return iterate(finalForces, final.fluidResidual);
+    }
+    if (final.write) {
         save();
     }
-    output_->finishStep(report_, integrator_.state(), integrator_.energies(), timer_, writeResults);
-    StructureResponse response{last.x, last.residual, true};
+    output_->finishStep(report_, integrator_.state(), integrator_.energies(), timer_, final.write);
+    StructureResponse response{last.x, last.residual, true, true};
     if (audits_) {
         response.balance = interfaceBalance(boundary_, {finalForces, before, structure_.mappedAt(),
                                                         integrator_.state().displacement, deltaT_});
@@ -110,9 +118,12 @@ StructureResponse FsiParticipant::acceptTimeStep(const VectorXd& finalForces, bo
     return response;
 }
 
-coupling::CouplingIteration FsiParticipant::accept(const VectorXd& finalForces) {
+coupling::CouplingIteration FsiParticipant::accept(const VectorXd& finalForces, double limit) {
     const auto timed = timer_.enter(Phase::acceleration);
-    const coupling::CouplingIteration last = method_->accept(finalForces);
+    const coupling::CouplingIteration last = method_->accept(finalForces, limit);
+    if (!last.converged) {
+        return last;
+    }
     integrator_.acceptTimeStep();
     ++report_.nExchanges;
     report_.firstResidual = method_->statistics().firstResidual;

@@ -22,8 +22,7 @@ class FsiParticipant : public CoupledParticipant {
 
     Eigen::VectorXd beginTimeStep(int step, double time, double deltaT) override;
     StructureResponse iterate(const Eigen::VectorXd& faceForces, double fluidResidual) override;
-    StructureResponse acceptTimeStep(const Eigen::VectorXd& finalForces,
-                                     bool writeResults) override;
+    StructureResponse acceptTimeStep(const channel::Forces& final) override;
     void rejectTimeStep() override;
     void removeStatesExcept(const std::vector<double>& fluidTimes) override {
         states_.removeExcept(fluidTimes);
@@ -31,7 +30,7 @@ class FsiParticipant : public CoupledParticipant {
 
   private:
     void restoreMethod(const StartState& start, const Report& report);
-    coupling::CouplingIteration accept(const Eigen::VectorXd& finalForces);
+    coupling::CouplingIteration accept(const Eigen::VectorXd& finalForces, double limit);
     void save();
 
     const Case& case_;
@@ -43,6 +42,7 @@ class FsiParticipant : public CoupledParticipant {
     std::unique_ptr<RunOutput> output_;
     StateFolder states_;
     StepReport report_;
+    const double tolerance_;
     const bool audits_;
     double deltaT_ = 0;
 };

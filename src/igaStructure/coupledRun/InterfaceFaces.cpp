@@ -23,25 +23,30 @@ double sweptByTriangle(const Vector3d& p, const Vector3d& q, const Vector3d& r, 
     return (dp + dq + dr).dot(area) / 3;
 }
 
-} // namespace
+using PointRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-InterfaceFaces::InterfaceFaces(const channel::Interface& fluid)
-    : isPlane_(fluid.dimension == 2), offsets_(fluid.faceOffsets), points_(fluid.facePoints) {
-    std::vector<Eigen::Triplet<double>> entries;
-    const int nFaces = static_cast<int>(offsets_.size()) - 1;
-    for (int face = 0; face < nFaces; ++face) {
-        const std::uint32_t nPoints = offsets_[face + 1] - offsets_[face];
-        if (nPoints == 0) {
+// That the arrays fit each other was checked when the message arrived.
+mapper::FaceMesh faceMesh(const channel::Interface& fluid) {
+    const Eigen::Map<const PointRows> given(fluid.points.data(),
+                                            fluid.points.size() / fluid.dimension, fluid.dimension);
+    mapper::FaceMesh mesh{Points::Zero(given.rows(), 3), {}};
+    mesh.vertices.leftCols(fluid.dimension) = given;
+    for (std::size_t face = 0; face + 1 < fluid.faceOffsets.size(); ++face) {
+        const auto first = fluid.facePoints.begin() + fluid.faceOffsets[face];
+        mesh.faces.emplace_back(first, fluid.facePoints.begin() + fluid.faceOffsets[face + 1]);
+        if (mesh.faces.back().empty()) {
             throw channel::PeerError(
                 fmt::format("face {} of the fluid's interface has no points", face));
         }
-        for (std::uint32_t k = offsets_[face]; k < offsets_[face + 1]; ++k) {
-            entries.emplace_back(face, static_cast<int>(points_[k]), 1.0 / nPoints);
-        }
     }
-    mean_.resize(nFaces, static_cast<int>(fluid.points.size() / fluid.dimension));
-    mean_.setFromTriplets(entries.begin(), entries.end());
+    return mesh;
 }
+
+} // namespace
+
+InterfaceFaces::InterfaceFaces(const channel::Interface& fluid)
+    : isPlane_(fluid.dimension == 2), offsets_(fluid.faceOffsets), points_(fluid.facePoints),
+      mesh_(faceMesh(fluid)), atVertices_(mapper::loadsAtVertices(mesh_)) {}
 
 double InterfaceFaces::sweptVolume(const Points& from, const Points& to) const {
     double volume = 0;

@@ -2,30 +2,24 @@
 #pragma once
 
 #include "channel/messages.hpp"
-#include "geometry/spline/Points.hpp"
-
-#include <Eigen/SparseCore>
+#include "mapper/loads/LoadPoints.hpp"
 
 namespace tokay::structure {
 
-/// The faces of the fluid's interface: each moves as the mean of its points. Its
-/// force goes to its points in equal parts, the transpose, so that force times
-/// motion of the faces is force times motion of the points.
+/// The faces of the fluid's interface. Each moves as the mean over its area of the motion
+/// of its points.
 class InterfaceFaces {
   public:
     /// @throws channel::PeerError if a face has no points
     explicit InterfaceFaces(const channel::Interface& fluid);
 
-    int count() const { return static_cast<int>(mean_.rows()); }
+    int count() const { return static_cast<int>(offsets_.size()) - 1; }
+    const mapper::FaceMesh& mesh() const { return mesh_; }
 
     /// @param ofPoints  nPoints x 3
     /// @return          nFaces x 3
-    geometry::Points means(const geometry::Points& ofPoints) const { return mean_ * ofPoints; }
-
-    /// @param onFaces  nFaces x 3 [N]
-    /// @return         nPoints x 3 [N]
-    geometry::Points onPoints(const geometry::Points& onFaces) const {
-        return mean_.transpose() * onFaces;
+    geometry::Points means(const geometry::Points& ofPoints) const {
+        return atVertices_.shares.transpose() * ofPoints;
     }
 
     /// Volume (a plane scene: area) over which the faces move along their normals,
@@ -41,7 +35,8 @@ class InterfaceFaces {
     bool isPlane_;
     std::vector<std::uint32_t> offsets_;
     std::vector<std::uint32_t> points_;
-    Eigen::SparseMatrix<double, Eigen::RowMajor> mean_;
+    mapper::FaceMesh mesh_;
+    mapper::LoadPoints atVertices_;
 };
 
 } // namespace tokay::structure

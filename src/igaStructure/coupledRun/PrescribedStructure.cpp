@@ -18,11 +18,11 @@ StructureResponse PrescribedStructure::iterate(const Eigen::VectorXd&, double) {
     return {displacements_, 0, true};
 }
 
-StructureResponse PrescribedStructure::acceptTimeStep(const Eigen::VectorXd&, bool) {
+StructureResponse PrescribedStructure::acceptTimeStep(const channel::Forces&) {
     ++nExchanges_;
     report_(fmt::format("step {} time {:.6g} s  exchanges {}  prescribed motion", step_, time_,
                         nExchanges_));
-    return {displacements_, 0, true};
+    return {displacements_, 0, true, true};
 }
 
 } // namespace tokay::structure

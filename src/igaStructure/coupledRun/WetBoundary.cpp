@@ -28,22 +28,16 @@ void requireDimension(const Body& body, const Interface& fluid) {
             : ""));
 }
 
-// That its arrays fit each other was checked when the message arrived.
-Points readPoints(const Body& body, const Interface& fluid) {
+InterfaceFaces readFaces(const Body& body, const Interface& fluid) {
     requireDimension(body, fluid);
-    const int dimension = body.dimension();
-    const Eigen::Map<const PointRows> given(fluid.points.data(), fluid.points.size() / dimension,
-                                            dimension);
-    Points points = Points::Zero(given.rows(), 3);
-    points.leftCols(dimension) = given;
-    return points;
+    return InterfaceFaces(fluid);
 }
 
 } // namespace
 
 WetBoundary::WetBoundary(const Body& body, const Coupling& coupling, const Interface& fluid)
-    : dimension_(body.dimension()), points_(readPoints(body, fluid)), faces_(fluid),
-      transfer_(body.transfer(coupling, points_)) {}
+    : dimension_(body.dimension()), faces_(readFaces(body, fluid)),
+      transfer_(body.transfer(coupling, faces_.mesh())) {}
 
 Eigen::VectorXd WetBoundary::components(const Points& ofPoints) const {
     const PointRows values = ofPoints.leftCols(dimension_);
@@ -63,21 +57,21 @@ Eigen::MatrixXd WetBoundary::variations(const Eigen::VectorXd& displacement,
     return result;
 }
 
-Points WetBoundary::onPoints(const Eigen::VectorXd& faceForces) const {
+Points WetBoundary::onFaces(const Eigen::VectorXd& faceForces) const {
     assert(faceForces.size() == dimension_ * nFaces() && faceForces.allFinite());
     const Eigen::Map<const PointRows> given(faceForces.data(), nFaces(), dimension_);
     Points forces = Points::Zero(nFaces(), 3);
     forces.leftCols(dimension_) = given;
-    return faces_.onPoints(forces);
+    return forces;
 }
 
 Eigen::VectorXd WetBoundary::faceCentre(int face) const {
-    return faces_.means(points_).row(face).head(dimension_);
+    return faces_.means(points()).row(face).head(dimension_);
 }
 
 Eigen::VectorXd WetBoundary::forces(const Eigen::VectorXd& faceForces,
                                     const Eigen::VectorXd& displacement) const {
-    return transfer_->forces(displacement, onPoints(faceForces));
+    return transfer_->forces(displacement, onFaces(faceForces));
 }
 
 } // namespace tokay::structure

@@ -18,13 +18,13 @@ class WetBoundary {
     WetBoundary(const Body& body, const Coupling& coupling, const channel::Interface& fluid);
 
     int dimension() const { return dimension_; }
-    int nPoints() const { return static_cast<int>(points_.rows()); }
+    int nPoints() const { return static_cast<int>(points().rows()); }
     int nFaces() const { return faces_.count(); }
     /// Of displacements(): dimension times nPoints().
     int nComponents() const { return dimension_ * nPoints(); }
 
     /// Points of the fluid in the reference configuration, nPoints x 3 [m]
-    const geometry::Points& points() const { return points_; }
+    const geometry::Points& points() const { return faces_.mesh().vertices; }
 
     /// Displacements of the fluid's points, point after point [m].
     Eigen::VectorXd displacements(const Eigen::VectorXd& displacement) const;
@@ -34,16 +34,16 @@ class WetBoundary {
     Eigen::MatrixXd variations(const Eigen::VectorXd& displacement,
                                const Eigen::MatrixXd& variations) const;
 
-    /// Forces on the structure's unknowns; same sum and virtual work.
+    /// Forces on the structure's unknowns; same sum.
     /// @param faceForces    face after face [N]; a plane scene: per unit depth [N/m]
     /// @param displacement  of the structure, at which a thin body's sections stand
     Eigen::VectorXd forces(const Eigen::VectorXd& faceForces,
                            const Eigen::VectorXd& displacement) const;
 
-    /// Forces of faces on the fluid's points, nPoints x 3; other arguments as in forces().
-    geometry::Points onPoints(const Eigen::VectorXd& faceForces) const;
+    /// Forces on faces, nFaces x 3, of the argument of forces().
+    geometry::Points onFaces(const Eigen::VectorXd& faceForces) const;
 
-    /// Mean of a face's points in the reference configuration [m].
+    /// Centroid of a face in the reference configuration [m].
     Eigen::VectorXd faceCentre(int face) const;
 
     const InterfaceFaces& faces() const { return faces_; }
@@ -56,7 +56,6 @@ class WetBoundary {
     Eigen::VectorXd components(const geometry::Points& ofPoints) const;
 
     int dimension_;
-    geometry::Points points_;
     InterfaceFaces faces_;
     std::unique_ptr<InterfaceTransfer> transfer_;
 };

@@ -10,8 +10,8 @@ using geometry::Points;
 
 channel::InterfaceBalance interfaceBalance(const WetBoundary& boundary, const AuditedStep& step) {
     const InterfaceTransfer& transfer = boundary.transfer();
-    const Points onPoints = boundary.onPoints(step.forces);
-    const Points forces = transfer.controlForces(step.mapped, onPoints);
+    const Points onFaces = boundary.onFaces(step.forces);
+    const Points forces = transfer.controlForces(step.mapped, onFaces);
     const Points positions = transfer.controlPoints(step.after);
     Vector3d force = Vector3d::Zero();
     Vector3d moment = Vector3d::Zero();
@@ -20,7 +20,7 @@ channel::InterfaceBalance interfaceBalance(const WetBoundary& boundary, const Au
         force += f;
         moment += Vector3d(positions.row(i)).cross(f);
     }
-    const double work = transfer.forces(step.mapped, onPoints).dot(step.after - step.before);
+    const double work = transfer.forces(step.mapped, onFaces).dot(step.after - step.before);
     const Points& points = boundary.points();
     channel::InterfaceBalance balance;
     balance.force = {force.x(), force.y(), force.z()};

@@ -10,8 +10,6 @@
 
 namespace tokay::structure {
 
-using geometry::Points;
-
 Body::Body() {
     add({"displacement", "m", 3, true, [this](const MotionState& state, const auto& locations) {
              return displacements(state.displacement, locations);
@@ -52,15 +50,18 @@ std::vector<BodyField> Body::fields(const std::vector<std::string>& names) const
 }
 
 std::unique_ptr<InterfaceTransfer> Body::transfer(const Coupling& coupling,
-                                                  const Points& points) const {
+                                                  const mapper::FaceMesh& fluid) const {
     const WetSurface surface = wetSurface(coupling.interface);
-    const auto mapping = [&](TransferMethod method) {
-        return makeMapping(method, surface, points, coupling.gapLimit, model().isLinear());
-    };
-    return std::make_unique<InterfaceTransfer>(
-        model(), std::visit([](const auto& wet) -> Points { return wet.coordinates(); }, surface),
-        mapping(coupling.method), coupling.loadMethod ? mapping(*coupling.loadMethod) : nullptr,
-        depth());
+    const bool isLinear = model().isLinear();
+    return std::visit(
+        [&](const auto& wet) {
+            return std::make_unique<InterfaceTransfer>(
+                model(), wet.coordinates(),
+                makeMapping(coupling.method, surface, fluid, coupling.gapLimit, isLinear),
+                makeLoadMapping(coupling, surface, fluid, isLinear), mapper::faceSizes(wet, fluid),
+                depth());
+        },
+        surface);
 }
 
 } // namespace tokay::structure

@@ -77,10 +77,9 @@ class Body {
     virtual std::vector<std::string> advice() const = 0;
 
     /// Transfer to and from a fluid's interface.
-    /// @param points  of the interface, nPoints x 3 [m]
     /// @throws InputError if the two sides do not fit: names, gaps
     std::unique_ptr<InterfaceTransfer> transfer(const Coupling& coupling,
-                                                const geometry::Points& points) const;
+                                                const mapper::FaceMesh& fluid) const;
 
   protected:
     /// With the fields of the motion: displacement, velocity and acceleration.

@@ -4,25 +4,34 @@
 #include "common/Schema.hpp"
 #include "coupling/step/CouplingOptions.hpp"
 
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace tokay::structure {
 
-/// How points and faces of the fluid are tied to the structure.
+/// How displacements of the structure become those of the fluid's points.
 enum class TransferMethod {
-    nearestElement, ///< to the closest points of wet edges
-    offset          ///< to sections of a thin body, through its thickness
+    nearestNeighbour, ///< the spline's value at its nearest sample
+    nearestElement,   ///< the spline's value at the closest point
+    rbf,              ///< interpolation between samples of the spline
+    mortar,           ///< L2 projection onto the fluid's faces
+    dualMortar,       ///< the same, tested with the dual basis
+    offset            ///< motion of the section of a thin body in which a point lies
+};
+
+/// How forces on the fluid's faces become loads on the structure.
+enum class LoadTransfer {
+    integrated, ///< traction times the spline's functions over the area of the face
+    transposed  ///< forces at the face's points by the transpose of the displacements' mapping
 };
 
 /// Entries of `coupling` in the case file.
 struct Coupling : Located {
-    TransferMethod method = TransferMethod::nearestElement; ///< of displacements
-    std::optional<TransferMethod> loadMethod; ///< none: the transpose of that of displacements
-    std::vector<std::string> interface;       ///< names of the wet parts; empty: all of a thin body
-    double gapLimit = 0.01;                   ///< relative to the interface's extent
-    int substeps = 1;                         ///< of the structure in a time step of the fluid
+    TransferMethod method = TransferMethod::nearestElement;
+    LoadTransfer loads = LoadTransfer::integrated;
+    std::vector<std::string> interface; ///< names of the wet parts; empty: all of a thin body
+    double gapLimit = 0.01;             ///< relative to the interface's extent
+    int substeps = 1;                   ///< of the structure in a time step of the fluid
     coupling::CouplingOptions options;
 };
 

@@ -6,6 +6,7 @@
 #include "mapper/Mapping.hpp"
 #include "mapper/interface/SplineInterface.hpp"
 #include "mapper/interface/SurfaceInterface.hpp"
+#include "mapper/loads/FaceSizes.hpp"
 
 #include <memory>
 #include <string>
@@ -18,27 +19,40 @@ namespace tokay::structure {
 using WetSurface = std::variant<mapper::SplineInterface, mapper::SurfaceInterface>;
 
 /// Maps displacements of a body's control points to the fluid's points.
+/// @param to        faces of the fluid's interface
 /// @param isLinear  whether the body has linear strains: its sections then turn
 ///                  by small angles only
-/// @throws InputError if a gap is beyond the coupling's limit
+/// @throws InputError if a gap is beyond the coupling's limit, or for points that a
+///         mortar mapping does not reach
 std::unique_ptr<const mapper::Mapping> makeMapping(TransferMethod method, const WetSurface& from,
-                                                   const geometry::Points& to, double gapLimit,
+                                                   const mapper::FaceMesh& to, double gapLimit,
                                                    bool isLinear);
 
-/// Transfer between a body and the points of a fluid's interface: the motion of the
-/// points by the body's unknowns, its derivative, and forces on the points as forces
-/// on the unknowns.
+/// Where forces on faces act, and the mapping whose transpose takes them from there to
+/// the control points.
+struct LoadMapping {
+    mapper::LoadPoints at;
+    std::unique_ptr<const mapper::Mapping> mapping; ///< none: that of displacements
+    bool loadsPoints = false; ///< spans between the points that it loads get nothing
+};
+
+/// Loads by integration over the faces, mapped as displacements are by offset or, for
+/// every other method, by nearestElement.
+LoadMapping makeLoadMapping(const Coupling& coupling, const WetSurface& from,
+                            const mapper::FaceMesh& faces, bool isLinear);
+
+/// Transfer between a body and a fluid's interface: the motion of its points by the
+/// body's unknowns, its derivative, and forces on its faces as forces on the unknowns.
 class InterfaceTransfer {
   public:
     /// @param model          is kept by reference
     /// @param controlPoints  in the reference configuration, n x 3 [m]
     /// @param displacements  from the control points to the fluid's points
-    /// @param loads          its transpose takes forces to the control points; none:
-    ///                       that of displacements, which keeps virtual work
+    /// @param sizes          of the fluid's faces, for the report
     /// @param depth          of a plane body [m]; 1 in space
     InterfaceTransfer(const StructuralModel& model, geometry::Points controlPoints,
-                      std::unique_ptr<const mapper::Mapping> displacements,
-                      std::unique_ptr<const mapper::Mapping> loads, double depth);
+                      std::unique_ptr<const mapper::Mapping> displacements, LoadMapping loads,
+                      mapper::FaceSizes sizes, double depth);
 
     /// Displacements of the fluid's points, nPoints x 3 [m].
     /// @param displacement  of the body's unknowns
@@ -50,13 +64,13 @@ class InterfaceTransfer {
 
     /// Forces on the body's unknowns, a plane body's whole depth [N].
     /// @param displacement  at which the sections of a thin body stand
-    /// @param onPoints      nPoints x 3 [N]; a plane scene: per unit depth [N/m]
+    /// @param onFaces       nFaces x 3 [N]; a plane scene: per unit depth [N/m]
     Eigen::VectorXd forces(const Eigen::VectorXd& displacement,
-                           const geometry::Points& onPoints) const;
+                           const geometry::Points& onFaces) const;
 
     /// The forces of forces() on the control points, n x 3, per unit depth as given.
     geometry::Points controlForces(const Eigen::VectorXd& displacement,
-                                   const geometry::Points& onPoints) const;
+                                   const geometry::Points& onFaces) const;
 
     /// Positions of the control points at a displacement, n x 3 [m].
     geometry::Points controlPoints(const Eigen::VectorXd& displacement) const {
@@ -66,7 +80,7 @@ class InterfaceTransfer {
     /// Depth of a plane body [m]; 1 in space.
     double depth() const { return depth_; }
 
-    /// The mappings' reports, for the log.
+    /// The mappings' reports and the sizes of both sides, for the log.
     std::string report() const;
 
   private:
@@ -75,7 +89,8 @@ class InterfaceTransfer {
     const StructuralModel& model_;
     geometry::Points controlPoints_;
     std::unique_ptr<const mapper::Mapping> displacements_;
-    std::unique_ptr<const mapper::Mapping> loads_; ///< none: displacements_
+    LoadMapping loads_;
+    mapper::FaceSizes sizes_;
     double depth_;
 };
 

@@ -441,7 +441,7 @@ TEST_F(RestartedRun, removes_its_states_with_the_fluids_times) {
     for (std::uint32_t step = 7; step <= 9; ++step) {
         script.begin(step, 0.01 * step, 0.01);
         script.channel().send(
-            channel::Forces{true, true, 0, forcesOf(fluid, step), {0, 0.03, 0.06, 0.08}});
+            channel::Forces{true, true, 0, forcesOf(fluid, step), false, {0, 0.03, 0.06, 0.08}});
         EXPECT_EQ(script.receive().state, channel::State::accepted);
     }
     script.sayGoodbye();

@@ -150,7 +150,8 @@ TEST(CheckCase, prints_all_options_of_the_chosen_acceleration) {
     const std::string text = checkCase(readText(exampleText(
         "output:", "coupling:\n  interface: [left, right]\n  acceleration: {type: iqnIls, "
                    "maxStep: 7}\noutput:")));
-    EXPECT_THAT(text, HasSubstr("coupling: interface left right, nearest element, gap limit 0.01"));
+    EXPECT_THAT(text, HasSubstr("coupling: interface left right, displacements nearestElement, "
+                                "loads integrated, gap limit 0.01"));
     EXPECT_THAT(text, HasSubstr("acceleration iqnIls, initialRelaxation 0.1, reusedTimeSteps 15"));
     EXPECT_THAT(text, HasSubstr("maxStep 7"));
     EXPECT_THAT(text, HasSubstr("filter qr2"));

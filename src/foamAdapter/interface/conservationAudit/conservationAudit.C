@@ -67,6 +67,7 @@ void Foam::conservationAudit::addPatch
 )
 {
     const polyPatch& patch = mesh_.boundaryMesh()[patchi];
+    const vectorField motions(mesh_.points() - mesh_.oldPoints());
     const vectorField& centres = mesh_.Cf().boundaryField()[patchi];
     const scalarField swept
     (
@@ -76,12 +77,11 @@ void Foam::conservationAudit::addPatch
     forAll(patch, facei)
     {
         const vector& force = forces[start + facei];
-        vector motion(Zero);
-        for (const label pointi : patch[facei])
-        {
-            motion += mesh_.points()[pointi] - mesh_.oldPoints()[pointi];
-        }
-        motion /= patch[facei].size()*mesh_.time().deltaTValue();
+        const vector motion
+        (
+            patch[facei].average(mesh_.points(), motions)
+           /mesh_.time().deltaTValue()
+        );
 
         fluid_.force += force;
         fluid_.moment += centres[facei] ^ force;

@@ -12,7 +12,7 @@ namespace Foam
 {
 
 //- Normalised residual below which sweeps change nothing
-constexpr scalar roundOff = 1e-14;
+constexpr scalar nothingToSweep = 1e-14;
 
 } // End namespace Foam
 
@@ -62,7 +62,7 @@ Foam::laplacianMotion::laplacianMotion
 {
     solver_.add("solver", word("PCG"));
     solver_.add("preconditioner", word("DIC"));
-    solver_.add("tolerance", roundOff);
+    solver_.add("tolerance", nothingToSweep);
     solver_.add("relTol", 0);
     solver_.add("maxIter", sweeps);
     if (!cellDisplacement_.typeHeaderOk<volVectorField>(true))

@@ -22,6 +22,21 @@ const Mesh& performanceStore(const Mesh& mesh, long)
     return mesh;
 }
 
+//- No more the final outer corrector: a state of the mesh in later versions ...
+template<class Mesh>
+auto endFinalIteration(Mesh& mesh, int)
+ -> decltype(mesh.data().setFinalIteration(false))
+{
+    return mesh.data().setFinalIteration(false);
+}
+
+//- ... and an entry of a base class in earlier ones
+template<class Mesh>
+void endFinalIteration(Mesh& mesh, long)
+{
+    mesh.data::remove("finalIteration");
+}
+
 //- A component of the velocity that is smaller, relative to the largest, is
 //  what the linear solvers leave across a plane flow in space
 constexpr Foam::scalar leastComponent = 1e-4;
@@ -175,6 +190,25 @@ void Foam::couplingResidual::endLoop()
     enterZero<scalar>(names);
     enterZero<vector>(names);
     enterZero<symmTensor>(names);
+}
+
+
+void Foam::couplingResidual::reopenLoop(const scalar residual)
+{
+    // PIMPLE keeps to itself that the next end of its loop is the last
+    struct loopState
+    :
+        pimpleControl
+    {
+        static bool pimpleControl::* converged()
+        {
+            return &loopState::converged_;
+        }
+    };
+
+    const_cast<pimpleControl&>(pimple_).*loopState::converged() = false;
+    endFinalIteration(const_cast<fvMesh&>(field_.mesh()), 0);
+    enter(residual);
 }
 
 

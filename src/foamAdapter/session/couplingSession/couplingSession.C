@@ -67,7 +67,7 @@ Foam::vectorField Foam::couplingSession::evaluateForces(const bool final)
 }
 
 
-void Foam::couplingSession::iterate(const bool final)
+void Foam::couplingSession::iterate(const bool final, const bool ifConverged)
 {
     const scalar start = stepController::wallClock();
     const vectorField forces(evaluateForces(final));
@@ -79,6 +79,7 @@ void Foam::couplingSession::iterate(const bool final)
     stepController::statistics& current = step_.current();
     tokay::channel::Forces message;
     message.final = final;
+    message.ifConverged = ifConverged;
     message.write = final && mesh_.time().writeTime();
     message.fluidResidual = current.fluidResidual;
     message.values = interface_.collect(forces);
@@ -121,9 +122,16 @@ void Foam::couplingSession::receive
         step_.fail(reason, string());
         return;
     }
+    scalar residual = solution.residual;
+    Pstream::scatter(residual);
+    step_.current().residual = residual;
     if (state == static_cast<label>(State::accepted))
     {
         step_.accept();
+        if (!residual_.isExplicit() && residual >= residual_.tolerance())
+        {
+            step_.current().converged = false;
+        }
         if (solution.balance)
         {
             audit(*solution.balance);
@@ -131,9 +139,6 @@ void Foam::couplingSession::receive
         return;
     }
     nextDisplacement_ = interface_.distribute(solution.values);
-    scalar residual = solution.residual;
-    Pstream::scatter(residual);
-    step_.current().residual = residual;
     step_.current().converged = state == static_cast<label>(State::converged);
 }
 
@@ -175,15 +180,36 @@ bool Foam::couplingSession::ranOut() const
 }
 
 
+void Foam::couplingSession::endWithoutAcceptance()
+{
+    if (corrector_ < pimple_.nCorrPIMPLE())
+    {
+        residual_.reopenLoop(step_.current().residual);
+        return;
+    }
+    step_.failUnconverged(describeUnconverged());
+    if (!step_.hasFailed())
+    {
+        iterate(true, false);
+    }
+}
+
+
 void Foam::couplingSession::endFinalCorrector()
 {
+    bool ifConverged = !residual_.isExplicit();
     if (!step_.hasFailed() && ranOut())
     {
         step_.failUnconverged(describeUnconverged());
+        ifConverged = false;
     }
     if (!step_.hasFailed())
     {
-        iterate(true);
+        iterate(true, ifConverged);
+    }
+    if (!step_.hasFailed() && !step_.isAccepted())
+    {
+        endWithoutAcceptance();
     }
     if (step_.hasFailed())
     {
@@ -217,7 +243,7 @@ void Foam::couplingSession::endOuterCorrector()
     }
     else if (isDue())
     {
-        iterate(false);
+        iterate(false, false);
         residual_.enter(step_.current().residual);
         if (step_.hasFailed())
         {

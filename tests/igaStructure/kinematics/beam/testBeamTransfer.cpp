@@ -65,8 +65,9 @@ channel::Interface centresOf(const channel::Interface& fluid) {
     return centres;
 }
 
-Coupling offsetCoupling() {
+Coupling offsetCoupling(LoadTransfer loads = LoadTransfer::transposed) {
     Coupling coupling;
+    coupling.loads = loads;
     coupling.method = TransferMethod::offset;
     coupling.gapLimit = 0.1;
     return coupling;
@@ -136,7 +137,8 @@ TEST(BeamTransfer, coupled_beam_moves_under_a_constant_force_as_under_a_traction
     const channel::Interface fluid = flapInterface(400);
     ScriptedFluid script(coupled.write("case.yaml", coupledBeam("linear")));
     const std::string report = script.start(fluid);
-    EXPECT_THAT(report, HasSubstr("coupling: interface the whole body, offset, gap limit 0.1"));
+    EXPECT_THAT(report, HasSubstr("coupling: interface the whole body, displacements offset, loads "
+                                  "integrated, gap limit 0.1"));
     EXPECT_THAT(report, HasSubstr("offset points of a beam"));
     for (std::uint32_t step = 1; step <= 10; ++step) {
         script.advance(step, 0.01, forceOnLeft(fluid, 100));

@@ -4,6 +4,7 @@
 #include "geometry/primitives/primitives.hpp"
 #include "igaStructure/case/makeBody.hpp"
 #include "igaStructure/exampleCase.hpp"
+#include "igaStructure/kinematics/facesAtPoints.hpp"
 #include "igaStructure/kinematics/shell/ShellBody.hpp"
 #include "igaStructure/run/checkCase.hpp"
 #include "igaStructure/run/runAlone.hpp"
@@ -194,8 +195,9 @@ TEST_P(ShellTransferKinds, points_on_both_sides_keep_virtual_work_force_and_mome
     }
     Coupling coupling;
     coupling.method = TransferMethod::offset;
+    coupling.loads = LoadTransfer::transposed;
     coupling.gapLimit = 0.1;
-    const auto transfer = body->transfer(coupling, points);
+    const auto transfer = body->transfer(coupling, facesAtPoints(points));
     const Eigen::Index n = body->model().nUnknowns();
     const Eigen::VectorXd d = 0.05 * Eigen::VectorXd::Random(n);
     const Eigen::VectorXd v = Eigen::VectorXd::Random(n);

@@ -4,6 +4,7 @@
 #include "igaStructure/ScriptedFluid.hpp"
 #include "igaStructure/case/makeBody.hpp"
 #include "igaStructure/exampleCase.hpp"
+#include "igaStructure/kinematics/facesAtPoints.hpp"
 #include "igaStructure/kinematics/solid/SolidBody.hpp"
 #include "igaStructure/output/volumeMesh.hpp"
 #include "igaStructure/run/checkCase.hpp"
@@ -98,6 +99,7 @@ Points pointsOnWalls(int n) {
 Coupling wetWalls() {
     Coupling coupling;
     coupling.interface = {"back", "front"};
+    coupling.loads = LoadTransfer::transposed;
     coupling.gapLimit = 0.01;
     return coupling;
 }
@@ -204,7 +206,7 @@ TEST(SolidBody, watch_points_inside_and_on_the_rim_are_found) {
 TEST(SolidTransfer, virtual_work_and_forces_are_kept) {
     const std::unique_ptr<Body> body = makeBody(readText(ringText("nonlinear")));
     const Points points = pointsOnWalls(20);
-    const auto transfer = body->transfer(wetWalls(), points);
+    const auto transfer = body->transfer(wetWalls(), facesAtPoints(points));
     const Eigen::Index n = body->model().nUnknowns();
     const VectorXd v = VectorXd::Random(n);
     const Points forces = Points::Random(points.rows(), 3);
@@ -219,7 +221,7 @@ TEST(SolidTransfer, rigid_motions_are_exact) {
     const std::unique_ptr<Body> body = makeBody(readText(ringText("nonlinear")));
     const auto& solid = dynamic_cast<const Solid&>(body->model());
     const Points points = pointsOnWalls(20);
-    const auto transfer = body->transfer(wetWalls(), points);
+    const auto transfer = body->transfer(wetWalls(), facesAtPoints(points));
     const Eigen::Matrix3d Q =
         Eigen::AngleAxisd(2, Vector3d(1, 2, -1).normalized()).toRotationMatrix();
     const Points moved = transfer->displacements(linearMotion(solid, Q));
@@ -231,7 +233,7 @@ TEST(SolidTransfer, point_far_from_the_wet_faces_is_refused) {
     const std::unique_ptr<Body> body = makeBody(readText(ringText("linear")));
     Points points = pointsOnWalls(3);
     points(2, 0) += 1;
-    EXPECT_THROW(body->transfer(wetWalls(), points), InputError);
+    EXPECT_THROW(body->transfer(wetWalls(), facesAtPoints(points)), InputError);
 }
 
 TEST(SolidCase, coupled_run_under_constant_forces_gives_the_motion_of_the_same_traction) {

@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Compiled together, because reading OpenFOAM's headers takes most of the time
+#include "displacementSource.C"
+#include "couplingFvOption.C"
+#include "structureCoupling.C"
+#include "structureDisplacementPointPatchVectorField.C"

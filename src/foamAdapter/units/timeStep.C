@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Compiled together, because reading OpenFOAM's headers takes most of the time
+#include "crankNicolsonRates.C"
+#include "fluidSnapshot.C"
+#include "stepRetry.C"

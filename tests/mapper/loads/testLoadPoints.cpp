@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/quadrature/gaussLegendre.hpp"
+#include "geometry/trimming/elementQuadrature.hpp"
+#include "mapper/interface/SurfaceMesh.hpp"
+#include "mapper/loads/FaceSizes.hpp"
+#include "mapper/nearest/NearestElementMapping.hpp"
+#include "mapper/sampleInterfaces.hpp"
+#include "mapper/sampleMeshes.hpp"
+#include "mapper/samplePatches.hpp"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace tokay;
+using namespace tokay::mapper;
+using Eigen::VectorXd;
+
+namespace {
+
+FaceMesh edgesAlong(const std::vector<Point>& points) {
+    FaceMesh mesh{Points(points.size(), 3), {}};
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        mesh.vertices.row(i) = points[i];
+        if (i > 0) {
+            mesh.faces.push_back({static_cast<int>(i) - 1, static_cast<int>(i)});
+        }
+    }
+    return mesh;
+}
+
+FaceMesh line(int n) {
+    std::vector<Point> points;
+    for (int i = 0; i <= n; ++i) {
+        points.emplace_back(0, static_cast<double>(i) / n, 0);
+    }
+    return edgesAlong(points);
+}
+
+FaceMesh arc(int n, double radius) {
+    std::vector<Point> points;
+    for (int i = 0; i <= n; ++i) {
+        const double angle = 0.5 * M_PI * i / n;
+        points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
+    }
+    return edgesAlong(points);
+}
+
+FaceMesh facesOf(int nX, int nY, FaceKind kind, int seed = 0) {
+    const SurfaceMesh mesh = flatMesh(nX, nY, kind, ValuesAt::vertices, 2, 1, seed);
+    FaceMesh faces{mesh.vertices(), {}};
+    for (int i = 0; i < mesh.nTriangles(); ++i) {
+        if (i == 0 || mesh.faceOf(i) != mesh.faceOf(i - 1)) {
+            faces.faces.push_back(mesh.functions(i, geometry::Barycentric::Zero()).values);
+        }
+    }
+    return faces;
+}
+
+Points centroids(const FaceMesh& mesh) {
+    const bool isPlane = mesh.faces.front().size() == 2;
+    if (!isPlane) {
+        return SurfaceMesh(mesh.vertices, mesh.faces, ValuesAt::faces).coordinates();
+    }
+    Points centres(mesh.nFaces(), 3);
+    for (int i = 0; i < mesh.nFaces(); ++i) {
+        centres.row(i) = mesh.vertices(mesh.faces[i], Eigen::all).colwise().mean();
+    }
+    return centres;
+}
+
+/// Shares sum to 1 and meet at the centroid, to rounding of the mesh's size 2.
+void expectForceAndMomentKept(const LoadPoints& loads, const FaceMesh& mesh) {
+    const VectorXd sums = loads.shares.transpose() * VectorXd::Ones(loads.points.rows());
+    EXPECT_LT((sums.array() - 1).abs().maxCoeff(), 1e-13);
+    const Points means = loads.shares.transpose() * loads.points;
+    EXPECT_LT((means - centroids(mesh)).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+/// Loads on control points of a unit force on each face.
+template <class Splines>
+VectorXd controlLoads(const Splines& splines, const LoadPoints& loads, const VectorXd& forces) {
+    const NearestElementMapping mapping(splines, loads.points, {0.1, true}); // chords
+    return mapping.applyTransposed(loads.shares * forces);
+}
+
+VectorXd lengths(const FaceMesh& mesh) {
+    VectorXd lengths(mesh.nFaces());
+    for (int i = 0; i < mesh.nFaces(); ++i) {
+        lengths[i] =
+            (mesh.vertices.row(mesh.faces[i].back()) - mesh.vertices.row(mesh.faces[i].front()))
+                .norm();
+    }
+    return lengths;
+}
+
+VectorXd areas(const FaceMesh& mesh) {
+    const SurfaceMesh surface(mesh.vertices, mesh.faces, ValuesAt::faces);
+    VectorXd areas = VectorXd::Zero(mesh.nFaces());
+    for (int i = 0; i < surface.nTriangles(); ++i) {
+        areas[surface.faceOf(i)] += surface.triangle(i).area();
+    }
+    return areas;
+}
+
+/// Integrals of the functions of a curve.
+VectorXd integralsAlong(const SplineInterface& splines) {
+    VectorXd integrals = VectorXd::Zero(splines.nValues());
+    const InterfaceCurve& curve = splines.curve(0);
+    const geometry::QuadratureRule& rule = geometry::gaussLegendre(10);
+    for (std::size_t e = 0; e + 1 < curve.breakpoints().size(); ++e) {
+        const double first = curve.breakpoints()[e];
+        const double length = curve.breakpoints()[e + 1] - first;
+        for (std::size_t q = 0; q < rule.points.size(); ++q) {
+            const double xi = first + length * rule.points[q];
+            const Functions at = curve.functions(xi);
+            const double weight = rule.weights[q] * length * curve.derivatives(xi, 1).row(1).norm();
+            for (std::size_t k = 0; k < at.values.size(); ++k) {
+                integrals[at.values[k]] += weight * at.weights[k];
+            }
+        }
+    }
+    return integrals;
+}
+
+VectorXd integralsOver(const SurfaceInterface& splines, int piece) {
+    VectorXd integrals = VectorXd::Zero(splines.nValues());
+    const geometry::TrimmedPatch& patch = splines.piece(piece).patch;
+    for (int element = 0; element < patch.nElements(); ++element) {
+        for (const geometry::ParameterPoint& at : geometry::elementQuadrature(patch, element, 8)) {
+            const Points d = patch.basis().derivatives(at.xi, at.eta, 1);
+            const double weight = at.weight * Point(d.row(1)).cross(Point(d.row(2))).norm();
+            const Functions functions = splines.functions(piece, at.xi, at.eta);
+            for (std::size_t k = 0; k < functions.values.size(); ++k) {
+                integrals[functions.values[k]] += weight * functions.weights[k];
+            }
+        }
+    }
+    return integrals;
+}
+
+} // namespace
+
+TEST(LoadPoints, shares_of_vertices_keep_force_and_moment_with_hanging_nodes_too) {
+    // Hexagons are quadrilaterals with vertices in the middle of sides.
+    for (const FaceKind kind :
+         {FaceKind::triangles, FaceKind::quadrilaterals, FaceKind::polygons}) {
+        const FaceMesh mesh = facesOf(4, 3, kind);
+        expectForceAndMomentKept(loadsAtVertices(mesh), mesh);
+    }
+    expectForceAndMomentKept(loadsAtVertices(line(7)), line(7));
+}
+
+TEST(LoadPoints, integrated_loads_on_curves_keep_force_and_moment) {
+    for (const int nFaces : {1, 7, 100}) {
+        expectForceAndMomentKept(integratedLoads(verticalSpline(3, 6), line(nFaces)), line(nFaces));
+        expectForceAndMomentKept(integratedLoads(quarterCircle(2, 5), arc(nFaces, 1)),
+                                 arc(nFaces, 1));
+    }
+}
+
+TEST(LoadPoints, integrated_loads_on_patches_keep_force_and_moment) {
+    const SurfaceInterface holed = onePatch(holedPlate());
+    const SurfaceInterface bent = onePatch(geometry::TrimmedPatch(bentParameters(4, 3)));
+    const SurfaceInterface two = twoPatches();
+    for (const FaceKind kind :
+         {FaceKind::triangles, FaceKind::quadrilaterals, FaceKind::polygons}) {
+        const FaceMesh mesh = facesOf(5, 3, kind);
+        for (const SurfaceInterface* splines : {&holed, &bent, &two}) {
+            expectForceAndMomentKept(integratedLoads(*splines, mesh, 0.02), mesh);
+        }
+    }
+}
+
+TEST(LoadPoints, uniform_traction_on_a_line_is_its_consistent_load_at_any_ratio_of_sizes) {
+    for (const auto& [nFaces, nSpans] :
+         {std::pair{1, 100}, {3, 100}, {10, 40}, {12, 12}, {40, 10}, {100, 3}, {100, 1}}) {
+        for (const int degree : {1, 2, 3, 4}) {
+            const SplineInterface splines = verticalSpline(degree, nSpans);
+            const FaceMesh mesh = line(nFaces);
+            const VectorXd loads =
+                controlLoads(splines, integratedLoads(splines, mesh), lengths(mesh));
+            // Gauss points are exact on a straight line; closest points end at 1e-12.
+            EXPECT_LT((loads - integralsAlong(splines)).cwiseAbs().maxCoeff(), 1e-11)
+                << nFaces << " faces, " << nSpans << " spans, degree " << degree;
+        }
+    }
+}
+
+TEST(LoadPoints, vertices_of_faces_larger_than_spans_leave_functions_without_load) {
+    const SplineInterface splines = verticalSpline(2, 32);
+    const VectorXd loads = controlLoads(splines, loadsAtVertices(line(8)), lengths(line(8)));
+    EXPECT_EQ(loads.minCoeff(), 0); // what integration is for
+    EXPECT_EQ(faceSizes(splines, line(8)).nOverSpan, 8);
+}
+
+TEST(LoadPoints, uniform_traction_on_a_plate_is_its_consistent_load_at_any_ratio_of_sizes) {
+    for (const auto& [nFaces, nSpans] : {std::pair{1, 100}, {1, 20}, {4, 4}, {3, 5}, {60, 1}}) {
+        const SurfaceInterface splines =
+            onePatch(geometry::TrimmedPatch(plate(2 * nSpans, nSpans)));
+        const FaceMesh mesh = facesOf(2 * nFaces, nFaces, FaceKind::quadrilaterals);
+        const VectorXd loads =
+            controlLoads(splines, integratedLoads(splines, mesh, 0.02), areas(mesh));
+        const VectorXd exact = integralsOver(splines, 0);
+        // The pieces are affine: exact but for closest points, and on faces of less than half
+        // a span to the third order of their size, (1/60)^3 here.
+        const double limit = nSpans < nFaces ? 5e-6 : 1e-9;
+        EXPECT_LT((loads - exact).cwiseAbs().maxCoeff(), limit * exact.maxCoeff())
+            << nFaces << " faces, " << nSpans << " spans";
+    }
+}
+
+TEST(LoadPoints, chords_of_a_circle_load_it_to_second_order_of_the_faces) {
+    const SplineInterface splines = quarterCircle(2, 40);
+    const VectorXd exact = integralsAlong(splines);
+    double before = 0;
+    for (const int nFaces : {4, 8, 16}) {
+        const FaceMesh mesh = arc(nFaces, 1);
+        // The same traction on the chords, which are shorter than the arc.
+        const VectorXd forces = VectorXd::Constant(nFaces, 0.5 * M_PI / nFaces);
+        const double error = (controlLoads(splines, integratedLoads(splines, mesh), forces) - exact)
+                                 .cwiseAbs()
+                                 .maxCoeff() /
+                             exact.maxCoeff();
+        if (before > 0) {
+            EXPECT_NEAR(std::log2(before / error), 2, 0.2);
+        }
+        before = error;
+    }
+    EXPECT_LT(before, 5e-3);
+}
+
+TEST(LoadPoints, faces_over_a_hole_load_its_rim) {
+    // The fluid has no hole where the structure has one: nothing is lost.
+    const SurfaceInterface splines = onePatch(holedPlate());
+    const FaceMesh mesh = facesOf(8, 4, FaceKind::triangles);
+    const LoadPoints loads = integratedLoads(splines, mesh, 0.02);
+    const NearestElementMapping mapping(splines, loads.points, {0.3, true});
+    const VectorXd onControlPoints = mapping.applyTransposed(loads.shares * areas(mesh));
+    EXPECT_NEAR(onControlPoints.sum(), 2, 1e-12); // area of the plate, pressure 1
+}
+
+TEST(FaceSizes, ratios_are_those_of_lengths_and_of_roots_of_areas) {
+    const FaceSizes ofLine = faceSizes(verticalSpline(2, 8), line(4));
+    EXPECT_NEAR(ofLine.smallest, 2, 1e-12);
+    EXPECT_NEAR(ofLine.largest, 2, 1e-12);
+    EXPECT_EQ(faceSizes(verticalSpline(2, 4), line(4)).nOverSpan, 0);
+    FaceMesh square{Points(4, 3), {{0, 1, 2, 3}}};
+    square.vertices << 0.1, 0.1, 0, 0.6, 0.1, 0, 0.6, 0.6, 0, 0.1, 0.6, 0;
+    const FaceSizes ofPlate =
+        faceSizes(onePatch(geometry::TrimmedPatch(plate(2, 1))), square); // spans 1 x 1
+    EXPECT_NEAR(ofPlate.largest, 0.5, 1e-12);
+}
