@@ -35,7 +35,7 @@ auto fieldsOf(M& m) {
     } else if constexpr (std::is_same_v<Type, BeginStep>) {
         return std::tie(m.step, m.time, m.deltaT);
     } else if constexpr (std::is_same_v<Type, Forces>) {
-        return std::tie(m.final, m.write, m.fluidResidual, m.values, m.fluidTimes, m.ifConverged);
+        return std::tie(m.final, m.write, m.fluidResidual, m.values, m.ifConverged, m.fluidTimes);
     } else if constexpr (std::is_same_v<Type, Displacements>) {
         return std::tie(m.state, m.residual, m.values, m.reason, m.balance);
     } else if constexpr (std::is_same_v<Type, Goodbye>) {

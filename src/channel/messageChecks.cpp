@@ -5,10 +5,14 @@
 #include "channel/allFinite.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace tokay::channel {
 namespace {
+
+// No structure goes so many times its own size away; a flow would only overflow there.
+constexpr double maxRelativeDisplacement = 1e6;
 
 // A name and a version.
 constexpr std::size_t longestName = 200;
@@ -56,7 +60,7 @@ void requireTimes(const Interface& interface) {
         throw PeerError("it starts at " + text(interface.startTime) + " s and ends at " +
                         text(interface.endTime) + " s");
     }
-    if (!(interface.deltaT >= 0 && std::isfinite(interface.deltaT))) {
+    if (!std::isfinite(interface.deltaT) || interface.deltaT < 0) {
         throw PeerError("its time step is " + text(interface.deltaT) + " s");
     }
 }
@@ -66,17 +70,17 @@ const char* nameOfState(State state) {
     return names.at(static_cast<std::size_t>(state));
 }
 
-/// A prediction is to be iterated; final forces end the step, unless that depends on
-/// their residual.
+/// A prediction is to be iterated, final forces end the step, unless they are to do so
+/// only if it has converged.
 bool allows(const Message& question, State state) {
     const auto* forces = std::get_if<Forces>(&question);
     if (!forces) {
         return state == State::iterate;
     }
-    if (state == State::rejected) {
-        return true;
+    if (state == State::accepted) {
+        return forces->final;
     }
-    return state == State::accepted ? forces->final : !forces->final || forces->ifConverged;
+    return state == State::rejected || !forces->final || forces->ifConverged;
 }
 
 std::string describeQuestion(const Message& question) {
@@ -84,7 +88,31 @@ std::string describeQuestion(const Message& question) {
     return !forces ? "the begin of a time step" : forces->final ? "final forces" : "forces";
 }
 
+void requireDisplacements(const std::vector<double>& values, const Agreement& agreement) {
+    if (values.size() != agreement.nValues) {
+        throw PeerError("the structure sent " + std::to_string(values.size()) +
+                        " displacement components where the interface has " +
+                        std::to_string(agreement.nValues));
+    }
+    requireFinite(values, "the structure's displacement");
+    const double limit = maxRelativeDisplacement * agreement.extent;
+    for (const double value : values) {
+        if (std::abs(value) > limit) {
+            throw PeerError("the structure's displacement is " + text(value) +
+                            " m at an interface of " + text(agreement.extent) + " m");
+        }
+    }
+}
+
 } // namespace
+
+Agreement::Agreement(const Interface& interface)
+    : nValues(interface.points.size()), tolerance(interface.tolerance) {
+    for (std::size_t i = 0; i < nValues; ++i) {
+        const std::size_t first = i % interface.dimension;
+        extent = std::max(extent, std::abs(interface.points[i] - interface.points[first]));
+    }
+}
 
 void requireConsistent(const Hello& hello) {
     requireLine(hello.program);
@@ -116,13 +144,9 @@ void requireUsable(const Displacements& answer, const Message& question,
     if (answer.state == State::rejected) {
         return; // nothing of it is used but the reason
     }
-    if (answer.values.size() != agreement.nValues) {
-        throw PeerError("the structure sent " + std::to_string(answer.values.size()) +
-                        " displacement components where the interface has " +
-                        std::to_string(agreement.nValues));
-    }
-    requireFinite(answer.values, "the structure's displacement");
-    if (!(answer.residual >= 0 && std::isfinite(answer.residual))) {
+    requireDisplacements(answer.values, agreement);
+    // In this order: a solver that traps floating point exceptions compares no NaN.
+    if (!std::isfinite(answer.residual) || answer.residual < 0) {
         throw PeerError("the structure's coupling residual is " + text(answer.residual));
     }
     const auto* forces = std::get_if<Forces>(&question);

@@ -19,10 +19,10 @@ void requireConsistent(const Interface& interface);
 struct Agreement {
     std::size_t nValues = 0; ///< displacement components
     double tolerance = 0;    ///< of the coupling residual
+    double extent = 0;       ///< largest distance from the first point along an axis [m]
 
     Agreement() = default;
-    explicit Agreement(const Interface& interface)
-        : nValues(interface.points.size()), tolerance(interface.tolerance) {}
+    explicit Agreement(const Interface& interface);
 };
 
 /// Whether a fluid may use an answer of the structure: its state is one that the

@@ -78,12 +78,12 @@ struct Forces {
     bool write = false;         ///< the fluid writes its fields at this time (with final)
     double fluidResidual = 0;   ///< initial residual of the momentum equation
     std::vector<double> values; ///< nFaces x dimension [N], per unit depth in 2D [N/m]
-    /// With write, if the fluid removes old times (purgeWrite): those that it has
-    /// on disk now [s]; otherwise empty.
-    std::vector<double> fluidTimes{};
     /// With final: a solution above the tolerance is not accepted; the answer is that of
     /// a coupling iteration, and the step goes on.
     bool ifConverged = false;
+    /// With write, if the fluid removes old times (purgeWrite): those that it has
+    /// on disk now [s]; otherwise empty.
+    std::vector<double> fluidTimes{};
 };
 
 /// What has to be the same on both sides of the interface at the end of a step;

@@ -36,6 +36,7 @@ inline std::vector<Message> exampleMessages() {
                    true,
                    3e-5,
                    {1, -2.5, std::numeric_limits<double>::denorm_min(), -0.0},
+                   true,
                    {0.25, 0.5}},
             Displacements{State::rejected,
                           2e-5,

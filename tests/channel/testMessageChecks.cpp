@@ -43,6 +43,13 @@ TEST(Answer, thatTheQuestionAllowsIsUsed) {
     }
 }
 
+TEST(Answer, thatGoesOnWhereOnlyAConvergedStepEndsIsUsed) {
+    const Message ifConverged = Forces{true, false, 0, {}, true};
+    for (const State state : {State::iterate, State::converged, State::accepted, State::rejected}) {
+        EXPECT_EQ(refusal(answerOf(state), ifConverged), "");
+    }
+}
+
 TEST(Answer, ofAStateThatTheQuestionDoesNotAllowIsRefused) {
     for (const State state : {State::converged, State::accepted, State::rejected}) {
         EXPECT_THAT(refusal(answerOf(state), begin), HasSubstr("to the begin of a time step"));
@@ -79,6 +86,14 @@ TEST(Answer, withOtherThanOneFiniteDisplacementAComponentIsRefused) {
     answer = answerOf(State::accepted);
     answer.values[3] = std::nan("");
     EXPECT_THAT(refusal(answer, finalForces), HasSubstr("is not finite, component 3 of 12"));
+}
+
+TEST(Answer, thatIsAMillionTimesTheInterfaceAwayIsRefused) {
+    Displacements answer = answerOf(State::iterate);
+    answer.values[5] = -0.9e6;
+    EXPECT_EQ(refusal(answer), ""); // the interface is 1 m long
+    answer.values[5] = -1e300;
+    EXPECT_THAT(refusal(answer), HasSubstr("displacement is -1e+300 m at an interface of 1 m"));
 }
 
 TEST(Answer, withABalanceThatIsNotFiniteIsRefused) {

@@ -200,8 +200,6 @@ class Structure {
             displacements.residual = std::numeric_limits<double>::quiet_NaN();
         } else if (behaves("acceptsEarly") && isAnswer) {
             displacements.state = State::accepted;
-        } else if (behaves("neverAccepts") && displacements.state == State::accepted) {
-            displacements.state = State::converged;
         } else if (behaves("rejectsPrediction") || (behaves("rejectsSilently") && isAnswer)) {
             displacements.state = State::rejected;
             displacements.values.clear();

@@ -106,12 +106,6 @@ acceptsEarly()
     lies acceptsEarly "the structure answered 'accepted' to forces"
 }
 
-property neverAccepts "a structure that does not accept final forces ends the run on both sides"
-neverAccepts()
-{
-    lies neverAccepts "the structure answered 'converged' to final forces"
-}
-
 property rejectsPrediction "a rejection in place of a prediction ends the run on both sides"
 rejectsPrediction()
 {

@@ -263,14 +263,14 @@ noPoints()
     expectText log.pimpleFoam "no points of the mesh, 0.05/polyMesh/points" "Start from a time that has both"
 }
 
-property noPointsParallel "the points of the mesh that one of two ranks lacks are named as well"
+property noPointsParallel "the points of the mesh that two ranks lack are named as well"
 noPointsParallel()
 {
     makeFluid whole
     decompose 2
     runFluid 2
     stopAndCopy
-    rm processor1/0.05/polyMesh/points
+    rm processor*/0.05/polyMesh/points
     runFaultyFluid 2
     expectText log.pimpleFoam "no points of the mesh, 0.05/polyMesh/points"
 }

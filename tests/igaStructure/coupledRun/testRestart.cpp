@@ -293,6 +293,7 @@ class RestartedRun : public testing::Test {
         ScriptedFluid script(caseFile);
         script.channel().send(fluid);
         const std::string text = script.failureText();
+        script.vanish();
         script.outcome();
         return text;
     }
@@ -411,9 +412,13 @@ TEST_F(RestartedRun, refuses_a_state_whose_displacement_is_not_that_of_the_inter
     displace();
     StateFolder folder(directory.file("results/states"), "case");
     SavedState state = folder.find(0.06, 1e-9).value();
+    Eigen::VectorXd& d = state.motion.displacement;
     Eigen::Index largest = 0;
-    state.motion.displacement.cwiseAbs().maxCoeff(&largest);
-    state.motion.displacement[largest] *= 1.05;
+    for (Eigen::Index i = 0; i < d.size(); ++i) {
+        const bool isOnLeft = i / 2 % 3 == 0; // of three control points in a row, two components
+        largest = isOnLeft && std::abs(d[i]) > std::abs(d[largest]) ? i : largest;
+    }
+    d[largest] *= 1.05;
     folder.add(state, 0.01);
     EXPECT_THAT(refusal(),
                 AllOf(HasSubstr("results/states/case_0.06.state': the state is damaged"),
@@ -436,7 +441,7 @@ TEST_F(RestartedRun, removes_its_states_with_the_fluids_times) {
     for (std::uint32_t step = 7; step <= 9; ++step) {
         script.begin(step, 0.01 * step, 0.01);
         script.channel().send(
-            channel::Forces{true, true, 0, forcesOf(fluid, step), {0, 0.03, 0.06, 0.08}});
+            channel::Forces{true, true, 0, forcesOf(fluid, step), false, {0, 0.03, 0.06, 0.08}});
         EXPECT_EQ(script.receive().state, channel::State::accepted);
     }
     script.sayGoodbye();

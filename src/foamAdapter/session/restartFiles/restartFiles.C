@@ -16,9 +16,11 @@ bool isDisplaced(const pointVectorField& displacement, const labelList& patches)
     bool displaced = false;
     for (const label patchi : patches)
     {
-        const pointPatchVectorField& patch =
-            displacement.boundaryField()[patchi];
-        for (const vector& v : patch.patchInternalField()())
+        const vectorField values
+        (
+            displacement.boundaryField()[patchi].patchInternalField()
+        );
+        for (const vector& v : values)
         {
             displaced = displaced || v != vector::zero;
         }
@@ -82,7 +84,7 @@ void Foam::restartFiles::check
             << "the start time has no points of the mesh, " << time
             << "/polyMesh/points, though " << time << "/pointDisplacement "
             << "displaces the coupled patches: the fluid would start on the "
-            << "mesh of '" << mesh.pointsInstance() << "'" << nl
+            << "mesh of '" << mesh.pointsInstance().c_str() << "'" << nl
             << "    Start from a time that has both, as OpenFOAM writes them, "
             << "or from an undeformed mesh" << exit(FatalIOError);
     }
