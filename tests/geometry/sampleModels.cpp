@@ -26,4 +26,19 @@ BrepModel halfCylinders() {
     return BrepModel(faces, coincidentEdges(faces, 1e-9));
 }
 
+double largestGap(const BrepModel& model, const BrepEdge& edge) {
+    double largest = 0;
+    const CurveOnSurface first = model.curveInSpace(edge.trims[0]);
+    const double start = first.breakpoints().front();
+    const double end = first.breakpoints().back();
+    for (const BrepTrim& trim : edge.trims) {
+        const CurveOnSurface other = model.curveInSpace(trim);
+        for (const double part : {0.0, 0.2, 0.5, 0.8, 1.0}) {
+            const Point point = first.derivatives(start + part * (end - start), 0).row(0);
+            largest = std::max(largest, other.closest(point).distance);
+        }
+    }
+    return largest;
+}
+
 } // namespace tokay::geometry

@@ -12,4 +12,7 @@ BrepModel twoSquares(double gap = 0);
 /// Two half cylinders of radius 1 and height 2 around the z axis.
 BrepModel halfCylinders();
 
+/// Largest distance of points of an edge's first curve to its other ones.
+double largestGap(const BrepModel& model, const BrepEdge& edge);
+
 } // namespace tokay::geometry

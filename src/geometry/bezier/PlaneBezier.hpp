@@ -12,7 +12,7 @@ namespace tokay::geometry {
 /// trimming curve. Evaluation needs no heap; neighbours share ends to the bit.
 class PlaneBezier {
   public:
-    static constexpr int maxDegree = 24;
+    static constexpr int maxDegree = KnotVector::maxDegree;
     using Controls = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, maxDegree + 1>;
 
     /// @param controls  3 x (degree + 1), columns (w xi, w eta, w)

@@ -50,31 +50,6 @@ std::vector<std::string> namesOf(const std::vector<BrepEdge>& edges) {
     return names;
 }
 
-/// Parameters at the ends of, and between, a curve's smooth ranges.
-std::vector<double> samples(const CurveOnSurface& curve, int perRange) {
-    const std::vector<double>& breakpoints = curve.breakpoints();
-    std::vector<double> result = {breakpoints.front()};
-    for (std::size_t i = 0; i + 1 < breakpoints.size(); ++i) {
-        for (int k = 1; k <= perRange; ++k) {
-            result.push_back(breakpoints[i] + (breakpoints[i + 1] - breakpoints[i]) * k / perRange);
-        }
-    }
-    return result;
-}
-
-/// Largest distance of points of a curve to another.
-void include(const CurveOnSurface& from, const CurveOnSurface& to, EdgeGap& gap) {
-    constexpr int perRange = 8;
-    for (const double t : samples(from, perRange)) {
-        const Point point = from.derivatives(t, 0).row(0);
-        const double distance = to.closest(point).distance;
-        if (distance > gap.distance) {
-            gap.distance = distance;
-            gap.place = point;
-        }
-    }
-}
-
 } // namespace
 
 BrepModel::BrepModel(std::vector<BrepFace> faces, std::vector<BrepEdge> edges, double tolerance,
@@ -141,41 +116,6 @@ const NurbsCurve& BrepModel::curve(int face, int number) const {
 
 CurveOnSurface BrepModel::curveInSpace(const BrepTrim& trim) const {
     return CurveOnSurface(curve(trim.face, trim.curve), patch(trim.face).surface());
-}
-
-std::vector<EdgeGap> BrepModel::gaps() const {
-    std::vector<EdgeGap> gaps;
-    for (std::size_t number = 0; number < edges_.size(); ++number) {
-        const std::vector<BrepTrim>& trims = edges_[number].trims;
-        if (trims.size() < 2) {
-            continue;
-        }
-        EdgeGap gap{static_cast<int>(number), -1, Point::Zero()};
-        const CurveOnSurface first = curveInSpace(trims[0]);
-        for (std::size_t i = 1; i < trims.size(); ++i) {
-            const CurveOnSurface other = curveInSpace(trims[i]);
-            include(first, other, gap);
-            include(other, first, gap);
-        }
-        gaps.push_back(gap);
-    }
-    return gaps;
-}
-
-void BrepModel::requireGapsBelow(double limit) const {
-    const std::vector<EdgeGap> all = gaps();
-    const auto worst =
-        std::max_element(all.begin(), all.end(), [](const EdgeGap& a, const EdgeGap& b) {
-            return a.distance < b.distance;
-        });
-    if (worst == all.end() || worst->distance <= limit) {
-        return;
-    }
-    throw InputError(fmt::format("the faces at edge \"{}\" are {:.3g} apart at ({:.6g}, "
-                                 "{:.6g}, {:.6g}); at most {:.3g} is allowed; correct the "
-                                 "trimming curves, or allow larger gaps",
-                                 edges_[worst->edge].name, worst->distance, worst->place[0],
-                                 worst->place[1], worst->place[2], limit));
 }
 
 BrepModel BrepModel::refined(int degreeU, int degreeV, int nDivisionsU, int nDivisionsV) const {

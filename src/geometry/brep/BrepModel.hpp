@@ -36,13 +36,6 @@ struct BrepEdge {
     bool isFound = false;
 };
 
-/// Distance between the trims of an edge.
-struct EdgeGap {
-    int edge;
-    double distance; ///< [m]
-    Point place;
-};
-
 /// Boundary representation: trimmed patches and the edges between them.
 class BrepModel {
   public:
@@ -69,12 +62,6 @@ class BrepModel {
     int nCurves(int face) const;
     const NurbsCurve& curve(int face, int number) const;
     CurveOnSurface curveInSpace(const BrepTrim& trim) const;
-
-    /// Largest distance between two trims of each edge that has several.
-    std::vector<EdgeGap> gaps() const;
-
-    /// @throws InputError that names the worst edge, its gap, place and the limit.
-    void requireGapsBelow(double limit) const;
 
     /// Copy of the model in a finer basis, as TrimmedPatch::refined.
     BrepModel refined(int degreeU, int degreeV, int nDivisionsU, int nDivisionsV) const;

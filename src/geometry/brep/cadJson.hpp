@@ -21,7 +21,7 @@ namespace tokay::geometry {
 /// @param tolerance  largest correction [length of the file]; if not given, the file's
 ///                   "model_tolerance", else 1e-6 of the size of the surface
 /// @throws InputError with file, line and key for a file that is malformed or
-/// describes no valid model. Gaps at edges are not checked: BrepModel does that.
+/// describes no valid model. Gaps at edges are not checked: whoever joins faces does that.
 /// Source: Teschemacher et al., Adv. Model. Simul. Eng. Sci. 5, 2018
 BrepModel readCadJson(const std::string& path, std::optional<double> tolerance = std::nullopt);
 

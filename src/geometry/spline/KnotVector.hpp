@@ -16,7 +16,8 @@ namespace tokay::geometry {
 /// i + degree + 1; on span i the functions i - degree to i are not zero.
 class KnotVector {
   public:
-    static constexpr int maxDegree = 30;
+    /// CAD systems write up to 24 (Parasolid, ACIS).
+    static constexpr int maxDegree = 24;
 
     /// @throws InputError if the degree is not 1 to maxDegree, if a knot is not finite or
     /// smaller than the one before it, if an end is not open, or if an inner

@@ -24,7 +24,7 @@ geometry::Point point(const std::array<double, 3>& x) {
 template <class Shape>
 SchemaOf<Shape> nurbsSchema(std::initializer_list<EntryOf<Shape>> knots) {
     return SchemaOf<Shape>{
-        {"degree", &Shape::degree, "[1, 10]", "", "Polynomial degree along each parameter.",
+        {"degree", &Shape::degree, degreeRange, "", "Polynomial degree along each parameter.",
          required},
         {"knotsXi", &Shape::knotsXi, "", "", "Open knot vector along xi.", required}}
         .with(SchemaOf<Shape>(knots))

@@ -16,6 +16,11 @@ namespace tokay::structure {
 /// curve, surface or volume. These throw InputError, with the location, if the
 /// entries describe none.
 
+/// Of surfaces, curves and discretisations, in files as in the case file:
+/// KnotVector::maxDegree.
+constexpr const char* degreeRange = "[1, 24]";
+static_assert(geometry::KnotVector::maxDegree == 24);
+
 struct RectangleShape : Located {
     std::array<double, 2> origin = {0, 0};
     std::array<double, 2> size = {1, 1};
@@ -160,7 +165,7 @@ struct Discretisation : Located {
                                          : nParameters == 2 ? "xi and eta"
                                                             : "xi, eta and zeta";
         static const SchemaOf<Discretisation> schema = {
-            {"degree", &Discretisation::degree, "[1, 10]", "",
+            {"degree", &Discretisation::degree, degreeRange, "",
              "Polynomial degree along " + along + ", at least the geometry's.", required},
             {"elements", &Discretisation::elements, "[1, 100000]", "",
              "Number of elements per knot span of the geometry along " + along + ".", required}};

@@ -44,33 +44,6 @@ TEST(BrepModel, seamAndPolesOfASphereAreOneEdge) {
     EXPECT_EQ(edges[0].trims.size(), 2u);
 }
 
-TEST(BrepModel, gapsAreMeasuredAndLimited) {
-    for (const EdgeGap& gap : twoSquares().gaps()) {
-        EXPECT_LT(gap.distance, 1e-15);
-    }
-    const BrepModel model = twoSquares(1e-3);
-    const std::vector<EdgeGap> gaps = model.gaps();
-    ASSERT_EQ(gaps.size(), 1u);
-    EXPECT_NEAR(gaps[0].distance, 1e-3, 1e-15);
-    EXPECT_NEAR(gaps[0].place[0], 1, 1e-15);
-    EXPECT_NO_THROW(model.requireGapsBelow(2e-3));
-    expectInputError([&] { model.requireGapsBelow(1e-4); },
-                     {"left.1-right.3", "0.001", "at (1, 0, 0)", "0.0001"});
-}
-
-TEST(BrepModel, gapsOfCurvedEdgesAreMeasuredBetweenTheirSamplesToo) {
-    // An arc against its chord: the sagitta in the middle.
-    const double pi = std::acos(-1.0);
-    const TrimmedPatch straight(plate(Point(1, 0, 0), Point(-2, 0, 0), Point(0, -1, 0)), "plate");
-    const TrimmedPatch round(ringSector(Point(0, -2, 0), std::sqrt(5.0), 3, std::atan2(2.0, 1.0),
-                                        pi - std::atan2(2.0, 1.0)),
-                             "ring");
-    const BrepModel model({{straight}, {round}}, {{"joint", {{0, 0}, {1, 3}}}});
-    ASSERT_EQ(model.gaps().size(), 1u);
-    EXPECT_NEAR(model.gaps()[0].distance, std::sqrt(5.0) - 2, 1e-14);
-    EXPECT_NEAR(model.gaps()[0].place[0], 0, 1e-12);
-}
-
 TEST(BrepModel, namesAreFoundAndListed) {
     const BrepModel model = twoSquares();
     EXPECT_EQ(model.faceNumber("right"), 1);
@@ -95,7 +68,7 @@ TEST(BrepModel, refinementChangesTheBasisOfEveryFaceOnly) {
     const BrepModel fine = twoSquares().refined(2, 2, 4, 4);
     EXPECT_EQ(fine.patch(0).nElements(), 16);
     EXPECT_EQ(fine.patch(1).basis().u().degree(), 2);
-    EXPECT_LT(fine.gaps()[0].distance, 1e-15);
+    EXPECT_LT(largestGap(fine, fine.edges()[fine.edgeNumber("left.1-right.3")]), 1e-15);
 }
 
 } // namespace tokay::geometry

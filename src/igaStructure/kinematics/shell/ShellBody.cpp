@@ -208,8 +208,40 @@ double ShellBody::largestThicknessOverRadius() const {
     return largest;
 }
 
+namespace {
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+// A control point far from all others is a slip of a CAD file, and what follows from the
+// size of the body is then of no use.
+std::string describeFarPoint(const geometry::Points& points) {
+    constexpr double far = 1e4; // an arc of nearly 180 degrees: tens
+    Vector3d middle;
+    for (int c = 0; c < 3; ++c) {
+        middle[c] = median({points.col(c).begin(), points.col(c).end()});
+    }
+    const Eigen::VectorXd distances = (points.rowwise() - middle.transpose()).rowwise().norm();
+    Eigen::Index farthest = 0;
+    const double ratio =
+        distances.maxCoeff(&farthest) / median({distances.begin(), distances.end()});
+    const Vector3d x = points.row(farthest).transpose();
+    return ratio < far ? ""
+                       : fmt::format("control point ({:.6g}, {:.6g}, {:.6g}) lies {:.2g} times as "
+                                     "far out as half of the others: check the geometry",
+                                     x[0], x[1], x[2], ratio);
+}
+
+} // namespace
+
 std::vector<std::string> ShellBody::advice() const {
     const ShellDescription& all = shell_.description();
+    if (const std::string far = describeFarPoint(shell_.nodes().positions); !far.empty()) {
+        return {far};
+    }
     const double thickest = *std::max_element(all.thickness.begin(), all.thickness.end());
     const double slenderness = shell_.size() / thickest;
     if (!all.bending) {

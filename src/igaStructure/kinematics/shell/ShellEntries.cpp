@@ -28,17 +28,20 @@ geometry::BrepModel wholeSurface(const geometry::NurbsSurface& surface, bool isS
     return geometry::BrepModel(faces, std::move(edges));
 }
 
-geometry::BrepModel readModel(const std::string& path, bool isSlit) {
-    geometry::BrepModel model = geometry::readCadJson(path);
-    return isSlit ? model
-                  : geometry::withCoincidentEdges(
-                        model, std::max(model.tolerance(), sameEdge * model.size()));
+geometry::BrepModel readModel(const std::string& path, const ShellGeometry& shape) {
+    geometry::BrepModel model = geometry::readCadJson(path, shape.tolerance);
+    return shape.isSlit ? model
+                        : geometry::withCoincidentEdges(
+                              model, shape.tolerance.value_or(
+                                         std::max(model.tolerance(), sameEdge * model.size())));
 }
 
 geometry::BrepModel makeModel(const ShellGeometry& shape, const std::string& directory) {
     if (shape.cadJson) {
-        return readModel((std::filesystem::path(directory) / *shape.cadJson).string(),
-                         shape.isSlit);
+        return readModel((std::filesystem::path(directory) / *shape.cadJson).string(), shape);
+    }
+    if (shape.tolerance) {
+        throw shape.error("tolerance", "goes with cadJson: other shapes have no trimming curves");
     }
     return wholeSurface(shape.rectangle  ? shape.rectangle->surface()
                         : shape.plate    ? shape.plate->surface()

@@ -22,6 +22,7 @@ struct ShellGeometry : Located {
     std::optional<CylinderShape> cylinder;
     std::optional<NurbsSurfaceShape> nurbs;
     std::optional<std::string> cadJson;
+    std::optional<double> tolerance;
 
     static const SchemaOf<ShellGeometry>& schema() {
         static const SchemaOf<ShellGeometry> schema =
@@ -35,7 +36,14 @@ struct ShellGeometry : Located {
                  "joined along edges that they share or that coincide. The normal of a face with "
                  "swapped_surface_normal is reversed, and its xi with it."}}
                 .exactlyOne()
-                .with(slitSchema<ShellGeometry>());
+                .with(slitSchema<ShellGeometry>())
+                .with(SchemaOf<ShellGeometry>{
+                    {"tolerance", &ShellGeometry::tolerance, "(0, inf)", "m",
+                     "cadJson: largest distance by which trimming curves may miss each other, the "
+                     "rim of their surface, or the edges that they coincide with. Corrections are "
+                     "in the log.",
+                     otherwise("the file's model_tolerance, else 1e-6 of the size of the "
+                               "surface")}});
         return schema;
     }
 };
