@@ -64,6 +64,20 @@ class StructuralModel {
     virtual Internal internalForce(const Eigen::VectorXd& displacement,
                                    SparseMatrix& tangent) const = 0;
 
+    /// The same with the tangent of the mixed integration point method, for an iteration
+    /// that came here from another displacement: its stresses are not those of the
+    /// displacement but those that the linearisation there predicts here. A thin body
+    /// turns on circles, its linearisation moves along their tangents: the stretch of
+    /// that vanishes in the next iteration, and with it stresses that would stiffen or
+    /// soften the tangent by orders of magnitude. Without such stresses, or if the model
+    /// does not know the method: the exact derivative.
+    /// Source: Magisano, Leonetti & Garcea 2017
+    virtual Internal mixedInternalForce(const Eigen::VectorXd& displacement,
+                                        const Eigen::VectorXd& /*linearisedAt*/,
+                                        SparseMatrix& tangent) const {
+        return internalForce(displacement, tangent);
+    }
+
     /// [J]
     virtual double strainEnergy(const Eigen::VectorXd& displacement) const = 0;
 
@@ -95,6 +109,13 @@ class StructuralModel {
     /// Largest extent [m].
     virtual double size() const = 0;
 };
+
+/// Derivative of the internal force at displacement zero [N/m].
+inline SparseMatrix stiffnessAtRest(const StructuralModel& model) {
+    SparseMatrix stiffness;
+    model.internalForce(Eigen::VectorXd::Zero(model.nUnknowns()), stiffness);
+    return stiffness;
+}
 
 /// Sets the components of fixed unknowns to zero.
 /// @param fixed  as StructuralModel::fixed()

@@ -89,17 +89,24 @@ void RunOutput::writeTables(const StepReport& step, const MotionState& state,
 std::string RunOutput::logLine(const StepReport& step, const MotionState& state,
                                double seconds) const {
     const double done = (state.time - startTime_) / (endTime_ - startTime_);
-    const double toGo = secondsBetween(start_, stepStart_) * (1 - done) / done;
     std::string line = fmt::format("step {} time {:.6g} s", step.step, state.time);
     if (step.nExchanges > 0) {
         line += fmt::format("  exchanges {} residual {:.2e}", step.nExchanges, step.lastResidual);
     } else {
         line += fmt::format("  iterations {} residual {:.2e}", step.nIterations, step.lastResidual);
     }
+    if (!step.note.empty()) {
+        line += "  " + step.note;
+    }
     if (!watch_.isEmpty()) {
         line += "  " + watch_.text(state.displacement);
     }
-    return line + fmt::format("  {:.3f} s/step, {} to go", seconds, duration(std::max(0.0, toGo)));
+    line += fmt::format("  {:.3f} s/step", seconds);
+    if (done > 0) { // on an equilibrium path time may fall below the start
+        const double toGo = secondsBetween(start_, stepStart_) * (1 - done) / done;
+        line += fmt::format(", {} to go", duration(std::max(0.0, toGo)));
+    }
+    return line;
 }
 
 } // namespace tokay::structure

@@ -17,6 +17,7 @@ struct StepReport {
     double firstResidual = 0; ///< of the coupling
     double lastResidual = 0;  ///< coupling: of the final forces; alone: Newton's
     int nColumns = 0;         ///< of the quasi-Newton model
+    std::string note;         ///< how the step was taken; empty: as the case file says
 };
 
 } // namespace tokay::structure

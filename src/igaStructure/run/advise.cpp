@@ -38,42 +38,53 @@ NaturalModes lowestModes(const StructuralModel& model) {
         return naturalModes(model, count);
     }
     const auto k = std::find(fixed.begin(), fixed.end(), false) - fixed.begin();
-    SparseMatrix stiffness;
-    model.internalForce(VectorXd::Zero(model.nUnknowns()), stiffness);
-    const double square = stiffness.coeff(k, k) / model.massMatrix().coeff(k, k);
+    const double square = stiffnessAtRest(model).coeff(k, k) / model.massMatrix().coeff(k, k);
     return {VectorXd::Constant(1, std::sqrt(std::max(0.0, square))),
             VectorXd::Unit(model.nUnknowns(), k)};
 }
 
+// The model's own loads on the body as it is at rest.
+VectorXd loadsAtRest(StructuralModel& model, double time) {
+    VectorXd force = model.externalForce(time);
+    model.addFollowerForce(VectorXd::Zero(model.nUnknowns()), time, force);
+    return force;
+}
+
 // How many times stiffer than at rest the structure is against its slowest motion when
-// this has moved it by a distance.
+// this has moved it by a distance, without its own loads.
 double stiffening(StructuralModel& model, const VectorXd& shape, double distance) {
-    SparseMatrix stiffness;
-    model.internalForce(VectorXd::Zero(model.nUnknowns()), stiffness);
     const VectorXd linear = distance / shape.lpNorm<Eigen::Infinity>() * shape;
     constexpr double time = 1;
     TimeIntegrator integrator(model, TimeScheme::quasiStatic(), NewtonOptions(), time);
-    const VectorXd force = stiffness * linear - model.externalForce(time);
+    const VectorXd force = stiffnessAtRest(model) * linear - loadsAtRest(model, time);
     integrator.beginTimeStep(time, time);
     return linear.norm() / integrator.solve(force).norm();
 }
 
-// Natural periods are those of small motions about the unloaded state. A thin body whose
-// edges cannot approach each other is stretched as it bends, and soon has others.
-std::string adviseStiffening(Body& body, const NaturalModes& modes) {
+// Stiffness and natural periods are those of small motions about the unloaded state. A thin
+// body whose edges cannot approach each other is stretched as it bends, and soon has others.
+struct Stiffening {
+    double factor = 1; ///< at a distance of the thickness
+    bool isMuch() const { return factor > 1.2; }
+};
+
+Stiffening findStiffening(Body& body, const NaturalModes& modes) {
     if (body.model().isLinear() || modes.shapes.cols() == 0) {
-        return "";
+        return {};
     }
-    constexpr double much = 1.2;
-    const double distance = body.thickness();
-    const double factor = stiffening(body.model(), modes.shapes.col(0), distance);
-    return factor < much
-               ? ""
-               : fmt::format("advice: these are the periods of the unloaded structure, which is "
-                             "stretched as it bends: moved by its thickness of {:g} m it is {:.2g} "
-                             "times as stiff against its slowest motion, farther out by the square "
-                             "of the distance: periods and stiffness at rest then say little\n",
-                             distance, factor);
+    try {
+        return {stiffening(body.model(), modes.shapes.col(0), body.thickness())};
+    } catch (const SolverError&) {
+        return {}; // so soft that it goes far beyond its thickness
+    }
+}
+
+std::string describe(const Stiffening& stiffening, const Body& body) {
+    return fmt::format("; that is the unloaded structure, which is stretched as it bends: moved by "
+                       "its thickness of {:g} m it is {:.2g} times as stiff against its slowest "
+                       "motion, farther out by the square of the distance: its periods there are "
+                       "shorter, and steps must be chosen by them\n",
+                       body.thickness(), stiffening.factor);
 }
 
 template <class Function>
@@ -85,7 +96,8 @@ std::string listOf(const VectorXd& values, Function number) {
     return fmt::format("{}", fmt::join(words, ", "));
 }
 
-std::string adviseStep(const Case& structureCase, const VectorXd& frequencies) {
+std::string adviseStep(const Case& structureCase, const Body& body, const VectorXd& frequencies,
+                       const Stiffening& stiffening) {
     if (frequencies.size() == 0 || !(frequencies[0] > 0)) {
         return "";
     }
@@ -93,6 +105,9 @@ std::string adviseStep(const Case& structureCase, const VectorXd& frequencies) {
     std::string text =
         fmt::format("advice: the lowest natural periods are {}",
                     listOf(periods, [](double T) { return fmt::format("{:.4g} s", T); }));
+    if (stiffening.isMuch()) {
+        return text + describe(stiffening, body);
+    }
     const TimeScheme* scheme = structureCase.implicitScheme();
     if (!structureCase.timeSteps || !scheme || !scheme->dynamic) {
         return text + fmt::format("; a dynamic run resolves them with steps below {}\n",
@@ -119,16 +134,13 @@ std::string adviseStep(const Case& structureCase, const VectorXd& frequencies) {
 // Displacement under the loads at the end of the run, by one linear solution.
 double staticEstimate(const Case& structureCase, StructuralModel& model) {
     const double time = structureCase.timeSteps ? structureCase.timeSteps->end : 1;
-    VectorXd force = model.externalForce(time);
-    model.addFollowerForce(VectorXd::Zero(model.nUnknowns()), time, force);
-    SparseMatrix stiffness;
-    model.internalForce(VectorXd::Zero(model.nUnknowns()), stiffness);
+    const SparseMatrix stiffness = stiffnessAtRest(model);
     SparseLu solver(stiffness, model.fixed());
     solver.factorise(stiffness);
-    return solver.solve(force).lpNorm<Eigen::Infinity>();
+    return solver.solve(loadsAtRest(model, time)).lpNorm<Eigen::Infinity>();
 }
 
-std::string adviseStrains(const Case& structureCase, Body& body) {
+std::string adviseStrains(const Case& structureCase, Body& body, const Stiffening& stiffening) {
     const StructuralModel& model = body.model();
     const double displacement = staticEstimate(structureCase, body.model());
     if (displacement == 0) {
@@ -146,6 +158,9 @@ std::string adviseStrains(const Case& structureCase, Body& body) {
         text += "; strains should be nonlinear if ends or edges are held along the body, which "
                 "then stretches as it bends";
     }
+    if (stiffening.isMuch() && deflection > largeDeflection) {
+        text += "; it moves less than that, for it is stretched as it bends";
+    }
     if (!model.isLinear() && share < 0.01 * largeDisplacement &&
         deflection < 0.1 * largeDeflection) {
         text += "; linear strains would do";
@@ -154,8 +169,8 @@ std::string adviseStrains(const Case& structureCase, Body& body) {
 }
 
 // What a structure's mass and stiffness make of a fluid's added mass.
-std::string adviseCoupling(const Case& structureCase, const Body& body,
-                           const VectorXd& frequencies) {
+std::string adviseCoupling(const Case& structureCase, const Body& body, const VectorXd& frequencies,
+                           const Stiffening& stiffening) {
     if (!structureCase.coupling) {
         return "";
     }
@@ -169,7 +184,8 @@ std::string adviseCoupling(const Case& structureCase, const Body& body,
                                    "interface",
                                    mass);
     if (isStiff) {
-        text += fmt::format(", and in its slowest motion a stiffness of {:.4g} Pa/m", stiffness);
+        text += fmt::format(", and {}in its slowest motion a stiffness of {:.4g} Pa/m",
+                            stiffening.isMuch() ? "at rest " : "", stiffness);
     }
     if (!structureCase.isDynamic()) {
         // A force proportional to the acceleration, as differences of displacements see it.
@@ -205,17 +221,18 @@ std::string advise(const Case& structureCase, Body& body) {
         text += "advice: " + line + "\n";
     }
     NaturalModes modes;
+    Stiffening stiffening;
     if (body.model().freeRigidMotions().empty()) {
         try {
-            text += adviseStrains(structureCase, body);
             modes = lowestModes(body.model());
-            text += adviseStep(structureCase, modes.angularFrequencies);
-            text += adviseStiffening(body, modes);
+            stiffening = findStiffening(body, modes);
+            text += adviseStrains(structureCase, body, stiffening);
+            text += adviseStep(structureCase, body, modes.angularFrequencies, stiffening);
         } catch (const SolverError& error) {
             text += fmt::format("advice: no estimate of stiffness: {}\n", error.what());
         }
     }
-    return text + adviseCoupling(structureCase, body, modes.angularFrequencies);
+    return text + adviseCoupling(structureCase, body, modes.angularFrequencies, stiffening);
 }
 
 } // namespace tokay::structure

@@ -21,7 +21,9 @@ std::string describe(const CentralDifferences&) {
 }
 
 std::string describe(const EquilibriumPath& path) {
-    return fmt::format("static, arc length, at most {} steps", path.maxSteps);
+    return fmt::format("arcLength: static, along the equilibrium path, at most {} steps, up "
+                       "to {:g} times the first",
+                       path.maxSteps, path.maxGrowth);
 }
 
 } // namespace

@@ -62,7 +62,8 @@ Advance makeAdvance(const CentralDifferences& /*scheme*/, const Case& /*structur
 
 Advance makeAdvance(const EquilibriumPath& path, const Case& structureCase, const TimeSteps& steps,
                     StructuralModel& model, const Report& /*report*/) {
-    return {std::make_unique<ArcLength>(model, structureCase.newton, steps.step), path.maxSteps};
+    return {std::make_unique<ArcLength>(model, structureCase.newton, path, steps.step, steps.end),
+            path.maxSteps};
 }
 
 } // namespace
@@ -93,8 +94,14 @@ void runAlone(const Case& structureCase, const Report& report) {
         stepReport.step = step;
         stepReport.nIterations = effort.nIterations;
         stepReport.lastResidual = effort.residual;
+        stepReport.note = effort.note;
         output.finishStep(stepReport, stepper.state(), stepper.energies(), timer,
                           writesResults(structureCase, step, isLast));
+    }
+    if (const double time = stepper.state().time; time < steps.end) {
+        report(fmt::format("warning: the path has taken all its {} steps (time.maxSteps) and is at "
+                           "t = {:g}; time.end {:g} is not reached",
+                           advance.maxSteps, time, steps.end));
     }
 }
 

@@ -97,7 +97,7 @@ StepEffort ExplicitIntegrator::advance(double time, double /*deltaT*/) {
                                       "step is estimated more often",
                                       time, nParts, part));
     }
-    return {nParts, 0};
+    return {nParts, 0, {}};
 }
 
 } // namespace tokay::structure

@@ -2,6 +2,9 @@
 #include "igaStructure/timeIntegration/ImplicitStepper.hpp"
 
 #include "common/errors.hpp"
+#include "igaStructure/timeIntegration/findLimitPoint.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -16,11 +19,11 @@ StepEffort ImplicitStepper::advance(double time, double deltaT) {
         integrator_.beginTimeStep(isLast ? time : state().time + step, isLast ? remainder : step);
         try {
             integrator_.solve();
-        } catch (const SolverError&) {
+        } catch (const SolverError& error) {
             integrator_.rejectTimeStep();
             step *= 0.5;
             if (step < minStep_) {
-                throw;
+                throwFailed(time, error);
             }
             continue;
         }
@@ -32,6 +35,19 @@ StepEffort ImplicitStepper::advance(double time, double deltaT) {
         }
         step = std::min(2 * step, 0.5 * deltaT); // whole steps have failed
     }
+}
+
+void ImplicitStepper::throwFailed(double time, const SolverError& error) {
+    if (isStatic_ && !model_.isLinear()) {
+        if (const auto limit = findLimitPoint(model_, newton_, state(), time)) {
+            throw SolverError(fmt::format(
+                "time {:.6g} s: the load has a limit point at t = {:.4g}, where the structure "
+                "snaps: beyond it no equilibrium is near, however small the load step; use "
+                "time.scheme arcLength, which follows the path as the load falls",
+                time, *limit));
+        }
+    }
+    throw SolverError(error);
 }
 
 } // namespace tokay::structure

@@ -14,13 +14,22 @@ class ImplicitStepper : public Stepper {
     /// @param minStep  shortest part of a step [s]
     ImplicitStepper(StructuralModel& model, const TimeScheme& scheme, const NewtonOptions& newton,
                     double minStep)
-        : integrator_(model, scheme, newton, 0), minStep_(minStep) {}
+        : model_(model), isStatic_(!scheme.dynamic), newton_(newton),
+          integrator_(model, scheme, newton, 0), minStep_(minStep) {}
+
+    /// @throws SolverError if the shortest part fails; in a static analysis names the limit
+    ///         point, if it is that
 
     StepEffort advance(double time, double deltaT) override;
     const MotionState& state() const override { return integrator_.state(); }
     Energies energies() const override { return integrator_.energies(); }
 
   private:
+    [[noreturn]] void throwFailed(double time, const SolverError& error);
+
+    StructuralModel& model_;
+    bool isStatic_;
+    NewtonOptions newton_;
     TimeIntegrator integrator_;
     double minStep_;
 };

@@ -11,6 +11,7 @@ struct NewtonOptions {
     int maxIterations = 25;
     bool lineSearch = true;
     double reuseContraction = 0;
+    bool mixedStresses = true;
 
     static const SchemaOf<NewtonOptions>& schema() {
         static const SchemaOf<NewtonOptions> schema = {
@@ -29,7 +30,12 @@ struct NewtonOptions {
              "each iteration reduces the residual to at most this fraction; never beyond a saved "
              "or rejected step. 0: a new tangent in each iteration.",
              otherwise("`0.1`; with scheme static `0`, where each tangent shows whether the "
-                       "structure buckles")}};
+                       "structure buckles")},
+            {"mixedStresses", &NewtonOptions::mixedStresses,
+             "Shells and beams with nonlinear strains: a tangent takes the stresses that the last "
+             "iteration predicted, not those of its displacement (mixed integration point method, "
+             "Magisano et al. 2017): the same solution in fewer iterations, the thinner the body "
+             "the fewer."}};
         return schema;
     }
 };

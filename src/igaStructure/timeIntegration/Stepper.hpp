@@ -3,12 +3,15 @@
 
 #include "igaStructure/timeIntegration/MotionState.hpp"
 
+#include <string>
+
 namespace tokay::structure {
 
 /// Effort of a step.
 struct StepEffort {
     int nIterations = 0; ///< of Newton's method; explicit: equal parts
     double residual = 0; ///< relative, of the last iterate
+    std::string note;    ///< for the log: how the step was taken, if the stepper chose that
 };
 
 /// Advances a structure that runs alone, one time step after the other.

@@ -6,16 +6,12 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 namespace tokay::structure {
 
 using Eigen::VectorXd;
 
 namespace {
-
-// Displacements below this share of the structure's size count as none.
-constexpr double leastDisplacement = 1e-15;
 
 // Sum of matrices of one sparsity: target = a A + b B.
 void combine(double a, const SparseMatrix& A, double b, const SparseMatrix& B,
@@ -34,19 +30,17 @@ void combine(double a, const SparseMatrix& A, double b, const SparseMatrix& B,
 TimeIntegrator::TimeIntegrator(StructuralModel& model, const TimeScheme& scheme,
                                const NewtonOptions& newton, double startTime)
     : model_(model), scheme_(scheme), newton_(newton), mass_(model.massMatrix()),
+      stiffness_(stiffnessAtRest(model)),
       solver_(makeLinearSolver(mass_, model.fixed(),
                                model.hasSymmetricTangent() ? MatrixKind::positiveDefinite
-                                                           : MatrixKind::general)) {
+                                                           : MatrixKind::general)),
+      internalRounding_(stiffness_, model.size()), inertiaRounding_(roundingOf(mass_)) {
     state_.time = startTime;
     state_.displacement = VectorXd::Zero(model.nUnknowns());
     state_.velocity = state_.displacement;
     state_.acceleration = state_.displacement;
     state_.force = model.externalForce(startTime);
     followerForce_ = followerForce(state_.displacement, startTime);
-    model_.internalForce(state_.displacement, stiffness_);
-    internalRounding_ =
-        std::numeric_limits<double>::epsilon() * VectorXd(stiffness_.diagonal()).norm();
-    inertiaRounding_ = std::numeric_limits<double>::epsilon() * VectorXd(mass_.diagonal()).norm();
     if (scheme.dynamic) {
         setInitialAcceleration();
     } else if (!model.freeRigidMotions().empty()) {
@@ -94,6 +88,7 @@ VectorXd TimeIntegrator::requiredForce(const VectorXd& displacement) {
 
 void TimeIntegrator::linearise(const VectorXd& displacement) {
     displacement_ = displacement;
+    linearisedAt_.reset();
     if (!model_.isLinear()) {
         renewTangent();
     } else if (!isFactoredForStep()) {
@@ -183,8 +178,11 @@ TimeIntegrator::Balance TimeIntegrator::balance(const VectorXd& displacement) co
         internal = model_.internalForce(middle);
     }
     Balance balance;
-    balance.rounding = internalRounding_ * std::max(middle.lpNorm<Eigen::Infinity>(),
-                                                    leastDisplacement * model_.size());
+    // An iteration that has run away is not at its rounding error.
+    constexpr double farAway = 100;
+    const bool isLost =
+        !scheme_.dynamic && middle.lpNorm<Eigen::Infinity>() > farAway * model_.size();
+    balance.rounding = isLost ? 0 : internalRounding_.at(middle);
     balance.smallestVolumeRatio = internal.smallestVolumeRatio;
     const VectorXd external = atAlphaF(state_.force, force_) + followerForce(middle, middleTime());
     balance.residual = external - internal.force;
@@ -257,13 +255,19 @@ void TimeIntegrator::solveLinear() {
 
 void TimeIntegrator::renewTangent() {
     const VectorXd middle = atAlphaF(state_.displacement, displacement_);
-    model_.internalForce(middle, tangent_);
+    if (linearisedAt_ && newton_.mixedStresses) {
+        model_.mixedInternalForce(middle, *linearisedAt_, tangent_);
+    } else {
+        model_.internalForce(middle, tangent_);
+    }
+    linearisedAt_ = middle;
     model_.subtractFollowerDerivative(middle, middleTime(), tangent_);
     factorise();
 }
 
 void TimeIntegrator::solveNonlinear() {
     Balance current = balance(displacement_);
+    linearisedAt_.reset();
     for (nIterations_ = 0; nIterations_ < newton_.maxIterations; ++nIterations_) {
         residuals_.push_back(current.residual.norm() / current.scale);
         if (!std::isfinite(residuals_.back())) {
@@ -300,6 +304,7 @@ TimeIntegrator::iterateWithKeptTangent(const Balance& current) {
         return std::nullopt;
     }
     displacement_ = end;
+    linearisedAt_.reset();
     return next;
 }
 

@@ -5,6 +5,7 @@
 #include "igaStructure/linearAlgebra/LinearSolver.hpp"
 #include "igaStructure/timeIntegration/MotionState.hpp"
 #include "igaStructure/timeIntegration/NewtonOptions.hpp"
+#include "igaStructure/timeIntegration/RoundingFloor.hpp"
 #include "igaStructure/timeIntegration/TimeScheme.hpp"
 
 #include <Eigen/Core>
@@ -126,8 +127,8 @@ class TimeIntegrator {
     SparseMatrix stiffness_; ///< at rest: linear structures, stiffness damping
     SparseMatrix tangent_;   ///< of the internal force, then of the whole balance
     std::unique_ptr<LinearSolver> solver_;
-    double internalRounding_; ///< rounding error of internal forces, per displacement [N/m]
-    double inertiaRounding_;  ///< the same of inertia, per acceleration [N s^2/m]
+    RoundingFloor internalRounding_;
+    double inertiaRounding_; ///< rounding error of inertia, per acceleration [N s^2/m]
 
     MotionState state_;
     Eigen::VectorXd followerForce_; ///< at the state
@@ -139,6 +140,8 @@ class TimeIntegrator {
     bool tangentServes_ = false;   ///< the last iteration contracted enough
     Eigen::VectorXd force_;        ///< at the end of the step
     Eigen::VectorXd displacement_; ///< latest iterate at the end of the step
+    /// Displacement whose tangent led to the latest iterate, for mixed stresses.
+    std::optional<Eigen::VectorXd> linearisedAt_;
 
     int nIterations_ = 0;
     int nFactorisations_ = 0;

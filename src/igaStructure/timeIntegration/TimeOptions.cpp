@@ -51,7 +51,10 @@ const Schemes& schemes() {
          "run alone, static: follows the equilibrium path through limit points; time is the load "
          "parameter and may decrease.",
          {{"maxSteps", &TimeOptions::maxSteps, "[1, inf)", "",
-           "Maximum number of steps, if the path does not reach end before."}}},
+           "Maximum number of steps, if the path does not reach end before."},
+          {"maxGrowth", &TimeOptions::maxGrowth, "[1, inf)", "",
+           "Longest step along the path, over the first one. Steps are halved when they fail, "
+           "and grow and shrink so that each takes about 5 Newton iterations."}}},
         {"explicit",
          TimeOptions::centralDifferences,
          "run alone: central differences with lumped mass; each time step is divided into the "
@@ -67,7 +70,7 @@ const SchemaOf<TimeOptions>& TimeOptions::schema() {
         {"scheme", &TimeOptions::scheme, schemes(), "Time integration."},
         {"step", &TimeOptions::step, "(0, inf)", "s",
          "Time step of a run alone; a coupled run takes the fluid's. arcLength: the first step, "
-         "whose change of displacement is the maximum step along the path.",
+         "whose change of displacement is the unit of the steps along the path.",
          otherwise("required for a run alone")},
         {"end", &TimeOptions::end, "(0, inf)", "s",
          "End time of a run alone, which starts at 0; a coupled run takes the fluid's.",
@@ -109,7 +112,7 @@ TimeIntegration TimeOptions::quasiStatic(const TimeOptions&) {
 }
 
 TimeIntegration TimeOptions::arcLength(const TimeOptions& options) {
-    return EquilibriumPath{options.maxSteps};
+    return EquilibriumPath{options.maxSteps, options.maxGrowth};
 }
 
 TimeIntegration TimeOptions::centralDifferences(const TimeOptions&) {

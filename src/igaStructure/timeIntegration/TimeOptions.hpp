@@ -15,6 +15,7 @@ struct CentralDifferences {};
 /// Equilibrium path of a static structure, through limit points.
 struct EquilibriumPath {
     int maxSteps = 1000;
+    double maxGrowth = 4; ///< longest arc over the first one
 };
 
 /// How a structure is advanced in time.
@@ -33,6 +34,7 @@ struct TimeOptions : Located {
     std::optional<double> minDeltaT;
     int substeps = 1;
     int maxSteps = EquilibriumPath().maxSteps;
+    double maxGrowth = EquilibriumPath().maxGrowth;
 
     static const SchemaOf<TimeOptions>& schema();
 

@@ -90,12 +90,17 @@ Beam::Vector6d Beam::conjugate(const BeamStrain& strain,
 }
 
 BeamStrain::Matrix6d Beam::stiffness(const BeamStrain& strain) const {
-    const double axialForce = isLinear() ? section_.prestress : normalForce(strain);
+    return stiffness(strain, isLinear() ? section_.prestress : normalForce(strain),
+                     bendingMoment(strain));
+}
+
+BeamStrain::Matrix6d Beam::stiffness(const BeamStrain& strain, double axialForce,
+                                     const Eigen::Vector3d& moment) const {
     BeamStrain::Matrix6d stiffness = BeamStrain::Matrix6d::Zero();
     if (section_.bends()) {
         stiffness = section_.bendingStiffness * strain.curvatureGradient.transpose() *
                         strain.curvatureGradient +
-                    strain.curvatureHessian(bendingMoment(strain));
+                    strain.curvatureHessian(moment);
     }
     stiffness.topLeftCorner<3, 3>() +=
         section_.axialStiffness * strain.axialGradient * strain.axialGradient.transpose() +
@@ -178,6 +183,33 @@ StructuralModel::Internal Beam::internalForce(const VectorXd& displacement,
     for (const BeamPoint& point : points_) {
         const BeamStrain strain(point.position, point.derivatives(ofControlPoints), strains_);
         pattern_.add(nodesOf(point.element), onElement(point, stiffness(strain)), sum.valuePtr());
+    }
+    tangent = frames_.matrix(sum);
+    return internalForce(displacement);
+}
+
+StructuralModel::Internal Beam::mixedInternalForce(const VectorXd& displacement,
+                                                   const VectorXd& linearisedAt,
+                                                   SparseMatrix& tangent) const {
+    if (isLinear()) {
+        return internalForce(displacement, tangent);
+    }
+    const VectorXd ofControlPoints = frames_.displacements(displacement);
+    const VectorXd before = frames_.displacements(linearisedAt);
+    SparseMatrix sum = pattern_.zeroMatrix();
+    for (const BeamPoint& point : points_) {
+        const BeamDerivatives u = point.derivatives(ofControlPoints);
+        const BeamDerivatives start = point.derivatives(before);
+        const BeamStrain strain(point.position, u, strains_);
+        BeamStrain predicted(point.position, start, strains_);
+        Vector6d change;
+        change << u.first - start.first, u.second - start.second;
+        predicted.axial += predicted.axialGradient.dot(change.head<3>());
+        predicted.curvature += predicted.curvatureGradient * change;
+        pattern_.add(
+            nodesOf(point.element),
+            onElement(point, stiffness(strain, normalForce(predicted), bendingMoment(predicted))),
+            sum.valuePtr());
     }
     tangent = frames_.matrix(sum);
     return internalForce(displacement);

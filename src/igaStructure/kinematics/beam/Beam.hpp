@@ -55,6 +55,9 @@ class Beam : public StructuralModel {
     Internal internalForce(const Eigen::VectorXd& displacement) const override;
     Internal internalForce(const Eigen::VectorXd& displacement,
                            SparseMatrix& tangent) const override;
+    Internal mixedInternalForce(const Eigen::VectorXd& displacement,
+                                const Eigen::VectorXd& linearisedAt,
+                                SparseMatrix& tangent) const override;
     double strainEnergy(const Eigen::VectorXd& displacement) const override;
     const Eigen::VectorXd& externalForce(double time) override;
     void addFollowerForce(const Eigen::VectorXd& displacement, double time,
@@ -87,6 +90,8 @@ class Beam : public StructuralModel {
     Eigen::Vector3d bendingMoment(const BeamStrain& strain) const;
     Vector6d conjugate(const BeamStrain& strain, const BeamDerivatives& displacement) const;
     BeamStrain::Matrix6d stiffness(const BeamStrain& strain) const;
+    BeamStrain::Matrix6d stiffness(const BeamStrain& strain, double axialForce,
+                                   const Eigen::Vector3d& moment) const;
     Eigen::MatrixXd onElement(const BeamPoint& point, const BeamStrain::Matrix6d& stiffness) const;
     /// Control points of the functions of an element.
     std::vector<int> nodesOf(int element) const;

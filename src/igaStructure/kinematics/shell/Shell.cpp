@@ -34,8 +34,16 @@ std::shared_ptr<const ShellSection> makeSection(MaterialLaw law, const ShellMate
 struct Shell::Workspace {
     explicit Workspace(bool bending) : tangent(bending ? 5 : 2) {}
 
-    ShellElement::Coefficients displacement, force;
+    ShellElement::Coefficients displacement, linearisedAt, force;
     ElementTangent tangent;
+};
+
+// What is evaluated: forces, and if wanted their tangent, with the stresses of the mixed
+// integration point method if there is a displacement at which it was linearised.
+struct Shell::Evaluation {
+    const VectorXd& displacement;
+    SparseMatrix* tangent = nullptr;
+    const VectorXd* linearisedAt = nullptr;
 };
 
 // What elements add up to. Numbers are summed row by row, so that their rounding
@@ -181,27 +189,49 @@ Shell::PointAnswer Shell::linearAnswer(const ShellElement& element,
     return answer;
 }
 
+namespace {
+
+// Strains that the linearisation at one displacement predicts at another.
+Vector6d predictedStrain(const SurfacePoint& reference, const SurfaceDerivatives& linearisedAt,
+                         const SurfaceDerivatives& displacement) {
+    return shellStrain(reference, linearisedAt, Strains::nonlinear) +
+           shellStrain(SurfacePoint(reference.derivatives + linearisedAt),
+                       displacement - linearisedAt, Strains::linear);
+}
+
+} // namespace
+
 Shell::PointAnswer Shell::nonlinearAnswer(const ShellElement& element,
                                           const SurfaceDerivatives& displacement,
+                                          const SurfaceDerivatives* linearisedAt,
                                           bool withStiffness) const {
     const SurfacePoint& reference = element.reference();
     const SurfacePoint current(reference.derivatives + displacement);
-    const SectionResponse response = element.patch().section().response(
-        reference.forms(), shellStrain(reference, displacement, Strains::nonlinear));
+    const Vector6d strain = shellStrain(reference, displacement, Strains::nonlinear);
+    const SectionResponse response = element.patch().section().response(reference.forms(), strain);
     PointAnswer answer;
     answer.force = shellForce(current, response.resultants);
     if (withStiffness) {
-        answer.stiffness = shellStiffness(current, response.tangent, response.resultants);
+        Vector6d resultants = response.resultants;
+        if (linearisedAt) {
+            resultants += response.tangent *
+                          (predictedStrain(reference, *linearisedAt, displacement) - strain);
+        }
+        answer.stiffness = shellStiffness(current, response.tangent, resultants);
     }
     answer.energy = response.energy;
     answer.volumeRatio = current.normal.area() / reference.normal.area();
     return answer;
 }
 
-void Shell::visitElement(ShellElement& element, int row, const VectorXd& displacement,
-                         SparseMatrix* tangent, Workspace& workspace, Totals& totals) const {
+void Shell::visitElement(ShellElement& element, int row, const Evaluation& evaluation,
+                         Workspace& workspace, Totals& totals) const {
     const int n = element.nFunctions();
-    element.gather(displacement, workspace.displacement);
+    SparseMatrix* const tangent = evaluation.tangent;
+    element.gather(evaluation.displacement, workspace.displacement);
+    if (evaluation.linearisedAt) {
+        element.gather(*evaluation.linearisedAt, workspace.linearisedAt);
+    }
     workspace.force.setZero(3, n);
     if (tangent) {
         workspace.tangent.start(n);
@@ -209,8 +239,13 @@ void Shell::visitElement(ShellElement& element, int row, const VectorXd& displac
     for (int point = 0; point < element.nPoints(); ++point) {
         element.moveToPoint(point);
         const SurfaceDerivatives u = element.functions().derivatives(workspace.displacement);
-        PointAnswer answer =
-            isLinear() ? linearAnswer(element, u) : nonlinearAnswer(element, u, tangent);
+        PointAnswer answer = isLinear() ? linearAnswer(element, u) : [&] {
+            if (!evaluation.linearisedAt) {
+                return nonlinearAnswer(element, u, nullptr, tangent);
+            }
+            const SurfaceDerivatives at = element.functions().derivatives(workspace.linearisedAt);
+            return nonlinearAnswer(element, u, &at, tangent);
+        }();
         element.functions().addTransposed(element.area() * answer.force, workspace.force);
         if (tangent) {
             answer.stiffness *= element.area();
@@ -244,8 +279,8 @@ void Shell::addCouplings(const VectorXd& displacement, SparseMatrix* tangent, Ve
     }
 }
 
-StructuralModel::Internal Shell::evaluate(const VectorXd& displacement, SparseMatrix* tangent,
-                                          double& energy) const {
+StructuralModel::Internal Shell::evaluate(const Evaluation& evaluation, double& energy) const {
+    SparseMatrix* const tangent = evaluation.tangent;
     if (tangent) {
         if (tangent->size() == 0) {
             *tangent = pattern_->zeroMatrix();
@@ -256,28 +291,35 @@ StructuralModel::Internal Shell::evaluate(const VectorXd& displacement, SparseMa
     Totals totals{VectorXd::Zero(nUnknowns()), std::vector<double>(sweep_->nRows(), 0.0),
                   std::vector<double>(sweep_->nRows(), 1.0)};
     sweep_->forEachElement(nThreads(), [&](ShellElement& element, int thread, int row) {
-        visitElement(element, row, displacement, tangent, workspaces[thread], totals);
+        visitElement(element, row, evaluation, workspaces[thread], totals);
     });
     energy = std::accumulate(totals.energies.begin(), totals.energies.end(), 0.0);
-    addCouplings(displacement, tangent, totals.force, energy);
+    addCouplings(evaluation.displacement, tangent, totals.force, energy);
     return {std::move(totals.force),
             *std::min_element(totals.smallestRatios.begin(), totals.smallestRatios.end())};
 }
 
 StructuralModel::Internal Shell::internalForce(const VectorXd& displacement) const {
     double energy = 0;
-    return evaluate(displacement, nullptr, energy);
+    return evaluate({displacement}, energy);
 }
 
 StructuralModel::Internal Shell::internalForce(const VectorXd& displacement,
                                                SparseMatrix& tangent) const {
     double energy = 0;
-    return evaluate(displacement, &tangent, energy);
+    return evaluate({displacement, &tangent}, energy);
+}
+
+StructuralModel::Internal Shell::mixedInternalForce(const VectorXd& displacement,
+                                                    const VectorXd& linearisedAt,
+                                                    SparseMatrix& tangent) const {
+    double energy = 0;
+    return evaluate({displacement, &tangent, &linearisedAt}, energy);
 }
 
 double Shell::strainEnergy(const VectorXd& displacement) const {
     double energy = 0;
-    evaluate(displacement, nullptr, energy);
+    evaluate({displacement}, energy);
     return energy;
 }
 

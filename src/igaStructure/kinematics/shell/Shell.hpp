@@ -44,6 +44,9 @@ class Shell : public StructuralModel {
     Internal internalForce(const Eigen::VectorXd& displacement) const override;
     Internal internalForce(const Eigen::VectorXd& displacement,
                            SparseMatrix& tangent) const override;
+    Internal mixedInternalForce(const Eigen::VectorXd& displacement,
+                                const Eigen::VectorXd& linearisedAt,
+                                SparseMatrix& tangent) const override;
     double strainEnergy(const Eigen::VectorXd& displacement) const override;
     /// Dead loads; a linear shell takes follower loads at rest.
     const Eigen::VectorXd& externalForce(double time) override;
@@ -77,19 +80,19 @@ class Shell : public StructuralModel {
     std::vector<int> nodesOf(const ShellPart& part) const;
     struct Workspace;
     struct Totals;
+    struct Evaluation;
     struct PointAnswer;
     void buildPatches();
     void buildPattern();
     PointAnswer linearAnswer(const ShellElement& element,
                              const SurfaceDerivatives& displacement) const;
     PointAnswer nonlinearAnswer(const ShellElement& element, const SurfaceDerivatives& displacement,
-                                bool withStiffness) const;
-    void visitElement(ShellElement& element, int row, const Eigen::VectorXd& displacement,
-                      SparseMatrix* tangent, Workspace& workspace, Totals& totals) const;
+                                const SurfaceDerivatives* linearisedAt, bool withStiffness) const;
+    void visitElement(ShellElement& element, int row, const Evaluation& evaluation,
+                      Workspace& workspace, Totals& totals) const;
     void addCouplings(const Eigen::VectorXd& displacement, SparseMatrix* tangent,
                       Eigen::VectorXd& force, double& energy) const;
-    Internal evaluate(const Eigen::VectorXd& displacement, SparseMatrix* tangent,
-                      double& energy) const;
+    Internal evaluate(const Evaluation& evaluation, double& energy) const;
     int nThreads() const;
     ShellElement elementAt(int face, const geometry::Parameters& at) const;
 
