@@ -2,34 +2,45 @@
 #include "common/errors.hpp"
 #include "igaStructure/kinematics/beam/exampleBeam.hpp"
 #include "igaStructure/timeIntegration/ArcLength.hpp"
+#include "igaStructure/timeIntegration/ImplicitStepper.hpp"
+#include "igaStructure/timeIntegration/Springs.hpp"
+#include "igaStructure/timeIntegration/findLimitPoint.hpp"
 
 #include <Eigen/LU>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 using namespace tokay;
 using namespace tokay::structure;
 using Eigen::VectorXd;
 using testing::HasSubstr;
+using testing::Not;
 
 namespace {
 
 // Half of von Mises' truss: a bar that rises by h over its base b, its upper end
 // on a vertical slider. With the strain of Green and Lagrange the force is
 // E A / 2 L^3 ((h + w)^3 - h^2 (h + w)), w the slider's displacement.
-Beam truss(double h, double EA) {
+Beam truss(double h, double EA, const std::string& load = "-t") {
     BeamSection section;
     section.axialStiffness = EA;
     section.mass = 1;
     BeamLoads loads;
-    loads.ends.push_back(endForce("0", "-t"));
+    loads.ends.push_back(endForce("0", load));
     return {geometry::line({0, 0, 0}, {1, h, 0}),
             section,
             Strains::nonlinear,
             {{BeamEnd::start, true, true, false}, {BeamEnd::end, true, false, false}},
             loads};
+}
+
+// Load at which the truss snaps.
+double limitLoad(double h, double EA) {
+    return EA * std::pow(h / std::hypot(1, h), 3) / (3 * std::sqrt(3));
 }
 
 // The spline of degree 3 that interpolates a sin(pi x / L) at its Greville
@@ -57,7 +68,7 @@ TEST(ArcLength, follows_von_Mises_truss_through_both_limit_points) {
     const double h = 0.1;
     const double EA = 1000;
     Beam line = truss(h, EA);
-    ArcLength path(line, NewtonOptions{1e-10, 25, true}, 0.02);
+    ArcLength path(line, NewtonOptions{1e-10, 25, true}, {2000, 2}, 0.02, 0.5);
     const double L = std::hypot(1, h);
     double highest = 0;
     double lowest = 0;
@@ -71,7 +82,8 @@ TEST(ArcLength, follows_von_Mises_truss_through_both_limit_points) {
         lowest = std::min(lowest, path.state().time);
     }
     EXPECT_LT(nSteps, 2000);
-    const double limit = EA * std::pow(h / L, 3) / (3 * std::sqrt(3));
+    EXPECT_EQ(path.state().time, 0.5);
+    const double limit = limitLoad(h, EA);
     // The path passes the limit between two steps: an error of their square.
     EXPECT_NEAR(highest, limit, 0.01 * limit);
     EXPECT_LE(highest, limit * (1 + 1e-8));
@@ -98,7 +110,7 @@ TEST(ArcLength, shallow_sine_arch_snaps_at_the_load_of_the_shallow_theory) {
     loads.tractions.push_back({Formula("0", ""), Formula("-t*sin(pi*x/10)", "")});
     Beam line(sineArch(a, L, 16), section, Strains::nonlinear,
               {{BeamEnd::start, true, true, false}, {BeamEnd::end, true, false, true}}, loads);
-    ArcLength path(line, NewtonOptions{1e-9, 25, true}, 0.02 * limit);
+    ArcLength path(line, NewtonOptions{1e-9, 25, true}, {500, 1}, 0.02 * limit, 10 * limit);
     double highest = 0;
     double previous = 0;
     for (int step = 0; step < 500 && path.state().time >= previous; ++step) {
@@ -113,7 +125,7 @@ TEST(ArcLength, shallow_sine_arch_snaps_at_the_load_of_the_shallow_theory) {
 
 TEST(ArcLength, energy_of_the_path_is_the_work_of_the_loads) {
     Beam line = truss(0.1, 1000);
-    ArcLength path(line, NewtonOptions{1e-10, 25, true}, 0.002);
+    ArcLength path(line, NewtonOptions{1e-10, 25, true}, {60, 1}, 0.002, 1);
     for (int step = 0; step < 60; ++step) {
         path.advance();
     }
@@ -126,11 +138,130 @@ TEST(ArcLength, loads_without_a_factor_of_time_are_reported) {
     ExampleBeam kind;
     kind.loads.ends.push_back(endForce("0", "1"));
     Beam line = kind.build();
-    ArcLength path(line, {}, 0.1);
+    ArcLength path(line, {}, {}, 0.1, 1);
     try {
         path.advance();
         FAIL();
     } catch (const SolverError& error) {
         EXPECT_THAT(error.what(), HasSubstr("give them a factor t"));
+    }
+}
+
+TEST(ArcLength, endsExactlyAtTheEndAlthoughLoadsAreDefinedUpToThereOnly) {
+    // The load is no number beyond the end, where it is 0.12; its limit is 0.19.
+    for (const double firstStep : {0.15, 0.04, 0.011}) {
+        Beam line = truss(0.1, 1000, "t > 0.15 ? sqrt(-1) : -0.8*t");
+        ArcLength path(line, NewtonOptions{1e-10, 25, true}, {}, firstStep, 0.15);
+        for (int step = 0; step < 200 && path.state().time < 0.15; ++step) {
+            ASSERT_NO_THROW(path.advance()) << firstStep;
+        }
+        EXPECT_EQ(path.state().time, 0.15) << firstStep;
+    }
+}
+
+TEST(ArcLength, iterateOutsideTheRangeOfLoadsIsAFailedStepAndNotTheFormulasFault) {
+    // A path that turns back at t = 0.19: the prediction of a long first step goes beyond
+    // 0.25, where the load is no number.
+    Beam line = truss(0.1, 1000, "t > 0.25 ? 1/0 : -t");
+    ArcLength path(line, NewtonOptions{1e-10, 25, true}, {100, 1}, 0.5, 1);
+    for (int step = 0; step < 3; ++step) {
+        ASSERT_NO_THROW(path.advance());
+    }
+    EXPECT_LE(path.state().time, limitLoad(0.1, 1000) * (1 + 1e-8));
+}
+
+TEST(ArcLength, stepsGrowOnAnEasyPathUpToTheirLimit) {
+    Springs springs(
+        1, [](double u) { return u + 0.01 * u * u * u; },
+        [](double u) { return 1 + 0.03 * u * u; });
+    springs.load = [](double t) { return t; };
+    ArcLength path(springs, NewtonOptions{1e-10}, {100, 4}, 0.01, 1);
+    double before = 0;
+    std::vector<double> steps;
+    while (path.state().time < 1) {
+        path.advance();
+        steps.push_back(path.state().displacement[0] - before);
+        before = path.state().displacement[0];
+    }
+    EXPECT_NEAR(steps[0], 0.01, 1e-5);
+    EXPECT_NEAR(*std::max_element(steps.begin(), steps.end()), 0.04, 1e-5);
+    EXPECT_LT(steps.size(), 35u); // 100 of the first one
+    EXPECT_EQ(path.state().time, 1);
+}
+
+TEST(ArcLength, endsIterationsAtTheRoundingErrorOfInternalForces) {
+    // A noise of a fifth of the rounding error of a stiffness of 1e6, and no tolerance.
+    Springs springs(
+        2,
+        [](double u) {
+            return 1e6 * (u + 0.1 * u * u) +
+                   0.2e6 * std::numeric_limits<double>::epsilon() * std::sin(1e18 * u);
+        },
+        [](double u) { return 1e6 * (1 + 0.2 * u); });
+    springs.load = [](double t) { return 1e6 * t; };
+    ArcLength path(springs, NewtonOptions{1e-30}, {}, 0.3, 1);
+    while (path.state().time < 1) {
+        ASSERT_NO_THROW(path.advance());
+    }
+    EXPECT_NEAR(path.state().displacement[0], std::sqrt(35.0) - 5, 1e-12);
+}
+
+TEST(ArcLength, pathThatEndsIsReportedWithTheReason) {
+    Springs springs(
+        1, [](double u) { return u < 0.5 ? u : NAN; }, [](double) { return 1; });
+    springs.load = [](double t) { return t; };
+    ArcLength path(springs, {}, {}, 0.1, 1);
+    try {
+        for (int step = 0; step < 1000; ++step) {
+            path.advance();
+        }
+        FAIL();
+    } catch (const SolverError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("the equilibrium path cannot be followed"));
+        EXPECT_THAT(error.what(), HasSubstr("relative residual"));
+        EXPECT_NEAR(path.state().time, 0.5, 1e-3);
+    }
+}
+
+TEST(FindLimitPoint, findsTheTrussesLimitAndNoneBelowIt) {
+    const double limit = limitLoad(0.1, 1000);
+    Beam line = truss(0.1, 1000);
+    MotionState rest;
+    rest.displacement = VectorXd::Zero(line.nUnknowns());
+    rest.velocity = rest.acceleration = rest.displacement;
+    const auto found = findLimitPoint(line, {}, rest, 2 * limit);
+    ASSERT_TRUE(found.has_value());
+    EXPECT_NEAR(*found, limit, 0.01 * limit); // a parabola through three points of the path
+    EXPECT_FALSE(findLimitPoint(line, {}, rest, 0.9 * limit).has_value());
+}
+
+TEST(FindLimitPoint, isNamedWhereStaticLoadStepsFail) {
+    Beam line = truss(0.1, 1000, "-t");
+    ImplicitStepper stepper(line, TimeScheme::quasiStatic(), {}, 0.05);
+    std::string message;
+    try {
+        for (int step = 1; step <= 4; ++step) {
+            stepper.advance(0.05 * step, 0.05);
+        }
+    } catch (const SolverError& error) {
+        message = error.what();
+    }
+    // EA (h/L)^3 / (3 sqrt 3) = 0.1896; steps reach 0.15.
+    EXPECT_THAT(message, HasSubstr("limit point at t = 0.1896"));
+    EXPECT_THAT(message, HasSubstr("time.scheme arcLength"));
+}
+
+TEST(FindLimitPoint, isNotNamedWhereThereIsNone) {
+    // A column that buckles has a second path, but its own does not end.
+    ExampleBeam kind;
+    kind.loads.ends.push_back(endForce("-10*t", "0"));
+    Beam line = kind.build();
+    ImplicitStepper stepper(line, TimeScheme::quasiStatic(), {}, 1);
+    try {
+        stepper.advance(1, 1);
+        FAIL();
+    } catch (const SolverError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("buckles"));
+        EXPECT_THAT(error.what(), Not(HasSubstr("limit point")));
     }
 }

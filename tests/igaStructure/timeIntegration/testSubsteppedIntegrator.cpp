@@ -211,6 +211,30 @@ TEST_P(Substeps, leaveNoTraceOfARejectedStep) {
     EXPECT_EQ(integrator.state().displacement, straight.state().displacement);
 }
 
+TEST_P(Substeps, singleStepThatIsRejectedIsForgotten) {
+    Flap flap(GetParam());
+    SubsteppedIntegrator integrator = flap.integrator(1);
+    advance(flap, integrator, 3);
+    const VectorXd before = integrator.state().displacement;
+    integrator.beginTimeStep(2 * endTime, endTime);
+    integrator.solve(flap.force(2 * endTime));
+    ASSERT_NE(integrator.displacement(), before);
+    integrator.rejectTimeStep();
+    EXPECT_EQ(integrator.displacement(), before);
+    EXPECT_EQ(integrator.state().displacement, before);
+}
+
+TEST(SubstepsOfLinearFlap, countOneIterationEach) {
+    Flap flap;
+    for (const int nSubsteps : {1, 3, 4}) {
+        SubsteppedIntegrator integrator = flap.integrator(nSubsteps);
+        integrator.beginTimeStep(endTime, endTime);
+        integrator.solve(flap.force(endTime));
+        integrator.solve(flap.force(endTime)); // counts anew
+        EXPECT_EQ(integrator.nIterations(), nSubsteps);
+    }
+}
+
 namespace {
 
 /// A fluid that a push starts: it resists a motion of all the structure's mass along x

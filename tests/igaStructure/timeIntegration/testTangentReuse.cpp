@@ -62,7 +62,7 @@ TEST(TangentReuse, newSizeOfTheTimeStepTakesANewTangent) {
     VectorXd force = VectorXd::Zero(solid.nUnknowns());
     double time = 0;
     std::vector<int> counts;
-    for (const double deltaT : {0.01, 0.01, 0.001}) {
+    for (const double deltaT : {0.01, 0.01, 0.001, 0.0012}) {
         force[solid.nUnknowns() - 2] += 1e-3; // so little that one tangent would do for all
         integrator.beginTimeStep(time += deltaT, deltaT);
         integrator.solve(force);
@@ -71,6 +71,49 @@ TEST(TangentReuse, newSizeOfTheTimeStepTakesANewTangent) {
     }
     EXPECT_EQ(counts[1], counts[0]);
     EXPECT_EQ(counts[2], counts[1] + 1);
+    // The tangent of the shorter step would converge, but by a third in each iteration.
+    EXPECT_EQ(counts[3], counts[2] + 1);
+    EXPECT_EQ(integrator.nIterations(), 1);
+}
+
+namespace {
+
+// A step in which a tangent is factored far from where the next one ends.
+void takeLargeStep(PlaneSolid& solid, TimeIntegrator& integrator) {
+    integrator.beginTimeStep(0.02, 0.01);
+    integrator.solve(VectorXd::Constant(solid.nUnknowns(), 50));
+}
+
+VectorXd afterSmallStep(PlaneSolid& solid, TimeIntegrator& integrator) {
+    integrator.beginTimeStep(0.02, 0.01);
+    return integrator.solve(VectorXd::Constant(solid.nUnknowns(), 0.02));
+}
+
+} // namespace
+
+TEST(TangentReuse, rejectedAndRestoredStepsLeaveNoTangent) {
+    PlaneSolid solid = makeExample({Kinematics::planeStrain, Strains::nonlinear, false});
+    const auto started = [&] {
+        TimeIntegrator integrator(solid, TimeScheme::generalisedAlpha(0.8), reusing(0.5), 0);
+        integrator.beginTimeStep(0.01, 0.01);
+        integrator.solve(VectorXd::Constant(solid.nUnknowns(), 0.01));
+        integrator.acceptTimeStep();
+        return integrator;
+    };
+    TimeIntegrator straight = started();
+    straight.dropTangent();
+    const VectorXd expected = afterSmallStep(solid, straight);
+    TimeIntegrator rejected = started();
+    takeLargeStep(solid, rejected);
+    rejected.rejectTimeStep();
+    EXPECT_EQ(rejected.displacement(), rejected.state().displacement);
+    EXPECT_EQ(afterSmallStep(solid, rejected), expected); // to the last bit
+    TimeIntegrator restored = started();
+    const MotionState state = restored.state();
+    takeLargeStep(solid, restored);
+    restored.acceptTimeStep();
+    restored.restore(state, {});
+    EXPECT_EQ(afterSmallStep(solid, restored), expected);
 }
 
 TEST(TangentReuse, tangentThatNoLongerServesIsReplaced) {

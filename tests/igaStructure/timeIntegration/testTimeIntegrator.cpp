@@ -2,6 +2,7 @@
 #include "common/errors.hpp"
 #include "geometry/primitives/primitives.hpp"
 #include "geometry/spline/refinement.hpp"
+#include "igaStructure/kinematics/beam/exampleBeam.hpp"
 #include "igaStructure/kinematics/plane/PlaneSolid.hpp"
 #include "igaStructure/timeIntegration/TimeIntegrator.hpp"
 #include "igaStructure/timeIntegration/naturalModes.hpp"
@@ -399,4 +400,125 @@ TEST(TimeIntegrator, forceThatIsNotFiniteIsRefused) {
     TimeIntegrator integrator(solid, TimeScheme::generalisedAlpha(0.8), {}, 0);
     integrator.beginTimeStep(0.01, 0.01);
     EXPECT_THROW(integrator.solve(VectorXd::Constant(solid.nUnknowns(), NAN)), SolverError);
+}
+
+namespace {
+
+// A straight beam without supports under a pressure that grows with time: it moves across
+// its axis as one mass.
+Beam freeBeamUnderPressure(bool follows) {
+    ExampleBeam kind;
+    kind.supports = {};
+    if (follows) {
+        kind.loads.pressures.push_back(Formula("3*t", ""));
+    } else {
+        kind.loads.tractions.push_back({Formula("0", ""), Formula("-3*t", "")});
+    }
+    return kind.build();
+}
+
+MotionState freeMotion(Beam& beam, const TimeScheme& scheme, Energies& energies) {
+    TimeIntegrator integrator(beam, scheme, NewtonOptions{1e-12, 25, true}, 0);
+    for (int step = 1; step <= 10; ++step) {
+        integrator.beginTimeStep(0.1 * step, 0.1);
+        integrator.solve();
+        integrator.acceptTimeStep();
+    }
+    energies = integrator.energies();
+    return integrator.state();
+}
+
+} // namespace
+
+TEST(TimeIntegrator, followerLoadsAreThoseOfTheTimeOfTheBalance) {
+    for (const double radius : {0.0, 0.5, 0.9}) {
+        const TimeScheme scheme = TimeScheme::generalisedAlpha(radius);
+        Beam follower = freeBeamUnderPressure(true);
+        Beam dead = freeBeamUnderPressure(false);
+        Energies ofFollower;
+        Energies ofDead;
+        const MotionState motion = freeMotion(follower, scheme, ofFollower);
+        const MotionState expected = freeMotion(dead, scheme, ofDead);
+        ASSERT_GT(expected.displacement.norm(), 0);
+        // A load that is linear in time has its mean at that time: both are the same.
+        EXPECT_LT((motion.displacement - expected.displacement).norm(),
+                  1e-9 * expected.displacement.norm());
+        EXPECT_NEAR(ofFollower.externalWork, ofDead.externalWork, 1e-9 * ofDead.externalWork);
+    }
+}
+
+TEST(TimeIntegrator, workOfFollowerLoadsIsTheKineticEnergyOfAFreeBeam) {
+    Beam beam = freeBeamUnderPressure(true);
+    Energies energies;
+    freeMotion(beam, TimeScheme::newmark(0.25, 0.5), energies);
+    // Exact for the trapezoidal rule: both are products of means and differences.
+    ASSERT_GT(energies.kinetic, 0);
+    EXPECT_NEAR(energies.externalWork, energies.kinetic, 1e-9 * energies.kinetic);
+}
+
+class StepsEquations : public testing::TestWithParam<std::pair<Strains, bool>> {
+  protected:
+    static constexpr double deltaT = 0.02;
+
+    // In a step from a state in motion, with loads of its own.
+    StepsEquations() : solid_(cantilever().build()), integrator_(solid_, scheme(), newton(), 0) {
+        for (int step = 1; step <= 3; ++step) {
+            integrator_.beginTimeStep(step * deltaT, deltaT);
+            integrator_.solve(0.1 * step * force_());
+            integrator_.acceptTimeStep();
+        }
+        integrator_.beginTimeStep(4 * deltaT, deltaT);
+    }
+    static Cantilever cantilever() {
+        Cantilever cantilever;
+        cantilever.strains = GetParam().first;
+        cantilever.tractionX = "1000*t";
+        cantilever.massDamping = 0.4;
+        cantilever.stiffnessDamping = 0.01;
+        return cantilever;
+    }
+    static TimeScheme scheme() {
+        return GetParam().second ? TimeScheme::generalisedAlpha(0.5) : TimeScheme::quasiStatic();
+    }
+    static NewtonOptions newton() { return {1e-13, 25, true}; }
+    VectorXd force_() const {
+        VectorXd force = VectorXd::LinSpaced(solid_.nUnknowns(), -30, 30);
+        setFixedToZero(solid_.fixed(), force);
+        return force;
+    }
+
+    PlaneSolid solid_;
+    TimeIntegrator integrator_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Kinds, StepsEquations,
+                         testing::Values(std::pair{Strains::linear, false},
+                                         std::pair{Strains::nonlinear, false},
+                                         std::pair{Strains::linear, true},
+                                         std::pair{Strains::nonlinear, true}));
+
+TEST_P(StepsEquations, requiredForceIsTheOneThatSolves) {
+    const VectorXd displacement = integrator_.solve(force_());
+    const VectorXd required = integrator_.requiredForce(displacement);
+    EXPECT_LT((required - force_()).norm(), 1e-8 * force_().norm()); // Newton's tolerance
+    for (int k = 0; k < solid_.nUnknowns(); ++k) {
+        if (solid_.fixed()[k]) {
+            EXPECT_EQ(required[k], 0);
+        }
+    }
+}
+
+TEST_P(StepsEquations, responsesAreDerivativesOfTheSolution) {
+    Eigen::MatrixXd directions(solid_.nUnknowns(), 2);
+    directions << VectorXd::Ones(solid_.nUnknowns()), force_();
+    const double h = 1e-3;
+    Eigen::MatrixXd differences(solid_.nUnknowns(), 2);
+    for (int k = 0; k < 2; ++k) {
+        const VectorXd plus = integrator_.solve(force_() + h * directions.col(k));
+        differences.col(k) = (plus - integrator_.solve(force_() - h * directions.col(k))) / (2 * h);
+    }
+    integrator_.linearise(VectorXd(integrator_.solve(force_())));
+    const Eigen::MatrixXd responses = integrator_.responses(directions);
+    // Differences of solutions to 1e-13: a few digits less than that over h.
+    EXPECT_LT((responses - differences).norm(), 1e-5 * differences.norm());
 }
