@@ -178,7 +178,11 @@ TimeIntegrator::Balance TimeIntegrator::balance(const VectorXd& displacement) co
         internal = model_.internalForce(middle);
     }
     Balance balance;
-    balance.rounding = internalRounding_.at(middle);
+    // An iteration that has run away is not at its rounding error.
+    constexpr double farAway = 100;
+    const bool isLost =
+        !scheme_.dynamic && middle.lpNorm<Eigen::Infinity>() > farAway * model_.size();
+    balance.rounding = isLost ? 0 : internalRounding_.at(middle);
     balance.smallestVolumeRatio = internal.smallestVolumeRatio;
     const VectorXd external = atAlphaF(state_.force, force_) + followerForce(middle, middleTime());
     balance.residual = external - internal.force;

@@ -258,6 +258,7 @@ TEST(Joints, edgesAreJoinedUpToTheToleranceOfTheCase) {
                 HasSubstr(joined));
     EXPECT_THAT(messageOf(plates(geometry + ", tolerance: 1e-5", rest)),
                 HasSubstr("nothing supports or joins: patch 2"));
-    EXPECT_THAT(messageOf(plates("rectangle: {}, tolerance: 1e-3", rest)),
-                HasSubstr("geometry.tolerance: goes with cadJson"));
+    EXPECT_THAT(
+        messageOf(plates("rectangle: {origin: [0, 0], size: [12, 4]}, tolerance: 1e-3", rest)),
+        HasSubstr("geometry.tolerance: goes with cadJson"));
 }
