@@ -87,34 +87,77 @@ SampledSurface sampled(const mapper::SurfaceInterface& wet) {
     return result;
 }
 
-/// An edge, or a triangle of a face in space.
-struct Facet {
-    std::vector<Point> corners;
-    int part;
-};
-
-/// Whether the projection of a point falls inside; on the rim it does.
-bool isBefore(const Facet& facet, const Point& point) {
-    constexpr double rim = 1e-9;
-    const Point a = facet.corners[1] - facet.corners[0];
-    const Point toPoint = point - facet.corners[0];
-    if (facet.corners.size() == 2) {
-        const double s = toPoint.dot(a) / a.squaredNorm();
-        return s >= -rim && s <= 1 + rim;
-    }
-    const Point b = facet.corners[2] - facet.corners[0];
-    const Point normal = a.cross(b);
-    const double s = toPoint.cross(b).dot(normal) / normal.squaredNorm();
-    const double t = a.cross(toPoint).dot(normal) / normal.squaredNorm();
-    return s >= -rim && t >= -rim && s + t <= 1 + rim;
-}
-
 Point pointOf(const channel::Interface& fluid, std::uint32_t index) {
     Point point = Point::Zero();
     for (std::uint32_t c = 0; c < fluid.dimension; ++c) {
         point[c] = fluid.points[index * fluid.dimension + c];
     }
     return point;
+}
+
+/// How far from a chord its arc may be, over the radius of a face: four chords around a
+/// circle have 0.41.
+constexpr double sagitta = 0.6;
+
+const mapper::Discretisation& discretisation(const WetSurface& wet) {
+    return std::visit([](const auto& one) -> const mapper::Discretisation& { return one; }, wet);
+}
+
+std::vector<double> gapsOf(const mapper::Discretisation& wet, const channel::Interface& fluid) {
+    std::vector<double> gaps;
+    for (std::uint32_t i = 0; i * fluid.dimension < fluid.points.size(); ++i) {
+        gaps.push_back(wet.locate(pointOf(fluid, i)).gap);
+    }
+    return gaps;
+}
+
+/// A face of the fluid, and how far its corners are from the wet surface.
+struct FaceGap {
+    Point centre = Point::Zero();
+    double ofCorners = 0; ///< of the farthest one [m]
+    double radius = 0;    ///< of the face around its centre [m]
+
+    /// Distance at which the surface still belongs to the face [m].
+    double reach() const { return ofCorners + sagitta * radius; }
+};
+
+FaceGap faceGap(const channel::Interface& fluid, std::size_t face,
+                const std::vector<double>& gaps) {
+    const auto begin = fluid.facePoints.begin() + fluid.faceOffsets[face];
+    const auto end = fluid.facePoints.begin() + fluid.faceOffsets[face + 1];
+    FaceGap result;
+    for (auto corner = begin; corner != end; ++corner) {
+        result.centre += pointOf(fluid, *corner) / static_cast<double>(end - begin);
+        result.ofCorners = std::max(result.ofCorners, gaps[*corner]);
+    }
+    for (auto corner = begin; corner != end; ++corner) {
+        result.radius = std::max(result.radius, (pointOf(fluid, *corner) - result.centre).norm());
+    }
+    return result;
+}
+
+/// An edge, or a triangle of a face in space.
+struct Facet {
+    std::vector<Point> corners;
+    int part;
+    double reach; ///< [m]
+};
+
+/// Whether the projection of a point falls inside, within reach; on the rim it does.
+bool isBefore(const Facet& facet, const Point& point) {
+    constexpr double rim = 1e-9;
+    const Point a = facet.corners[1] - facet.corners[0];
+    const Point toPoint = point - facet.corners[0];
+    if (facet.corners.size() == 2) {
+        const double s = toPoint.dot(a) / a.squaredNorm();
+        return s >= -rim && s <= 1 + rim && (toPoint - s * a).norm() <= facet.reach;
+    }
+    const Point b = facet.corners[2] - facet.corners[0];
+    const Point normal = a.cross(b);
+    const double s = toPoint.cross(b).dot(normal) / normal.squaredNorm();
+    const double t = a.cross(toPoint).dot(normal) / normal.squaredNorm();
+    return s >= -rim && t >= -rim && s + t <= 1 + rim &&
+           (toPoint - s * a - t * b).norm() <= facet.reach;
 }
 
 int partAt(const Point& centre, const SampledSurface& wet, const BoxTree& tree) {
@@ -131,18 +174,8 @@ int partAt(const Point& centre, const SampledSurface& wet, const BoxTree& tree) 
     return wet.samples[nearest].part;
 }
 
-void addFace(std::vector<Facet>& facets, const std::vector<Point>& corners, const Point& centre,
-             int part) {
-    if (corners.size() == 2) {
-        facets.push_back({corners, part});
-        return;
-    }
-    for (std::size_t k = 0; k < corners.size(); ++k) {
-        facets.push_back({{centre, corners[k], corners[(k + 1) % corners.size()]}, part});
-    }
-}
-
-std::vector<Facet> facetsOf(const channel::Interface& fluid, const SampledSurface& wet) {
+std::vector<Facet> facetsOf(const channel::Interface& fluid, const SampledSurface& wet,
+                            const std::vector<double>& gaps) {
     std::vector<Box> boxes;
     for (const WetSample& sample : wet.samples) {
         boxes.push_back({sample.point, sample.point});
@@ -150,15 +183,18 @@ std::vector<Facet> facetsOf(const channel::Interface& fluid, const SampledSurfac
     const BoxTree tree(boxes);
     std::vector<Facet> facets;
     for (std::size_t face = 0; face + 1 < fluid.faceOffsets.size(); ++face) {
-        std::vector<Point> corners;
-        Point centre = Point::Zero();
-        for (std::uint32_t k = fluid.faceOffsets[face]; k < fluid.faceOffsets[face + 1]; ++k) {
-            corners.push_back(pointOf(fluid, fluid.facePoints[k]));
-            centre += corners.back();
-        }
-        if (corners.size() > 1) {
-            centre /= static_cast<double>(corners.size());
-            addFace(facets, corners, centre, partAt(centre, wet, tree));
+        const std::uint32_t begin = fluid.faceOffsets[face];
+        const std::uint32_t nCorners = fluid.faceOffsets[face + 1] - begin;
+        const FaceGap gap = faceGap(fluid, face, gaps);
+        const int part = partAt(gap.centre, wet, tree);
+        for (std::uint32_t k = 0; k < nCorners; ++k) {
+            const Point corner = pointOf(fluid, fluid.facePoints[begin + k]);
+            const Point next = pointOf(fluid, fluid.facePoints[begin + (k + 1) % nCorners]);
+            if (nCorners > 2) {
+                facets.push_back({{gap.centre, corner, next}, part, gap.reach()});
+            } else if (k == 0 && nCorners == 2) {
+                facets.push_back({{corner, next}, part, gap.reach()});
+            }
         }
     }
     return facets;
@@ -180,23 +216,18 @@ class FluidFaces {
   public:
     explicit FluidFaces(std::vector<Facet> facets)
         : facets_(std::move(facets)), tree_(boxesOf(facets_)) {
-        for (const Box& box : boxesOf(facets_)) {
-            largest_ = std::max(largest_, box.diagonal());
+        for (const Facet& facet : facets_) {
+            reach_ = std::max(reach_, facet.reach);
         }
     }
 
-    /// Whether a facet of the sample's part lies before it, no farther away than the nearest
-    /// one by more than the size of a facet.
+    /// Whether a facet of the sample's part lies before it.
     bool reach(const WetSample& sample) const {
         bool isReached = false;
-        double limit = std::numeric_limits<double>::infinity();
         tree_.visitNearest(sample.point, [&](int i) {
-            const Facet& facet = facets_[i];
-            if (std::isinf(limit)) {
-                limit = std::pow((facet.corners[0] - sample.point).norm() + largest_, 2);
-            }
-            isReached = isReached || (facet.part == sample.part && isBefore(facet, sample.point));
-            return isReached ? -1 : limit;
+            isReached =
+                isReached || (facets_[i].part == sample.part && isBefore(facets_[i], sample.point));
+            return isReached ? -1 : reach_ * reach_;
         });
         return isReached;
     }
@@ -204,38 +235,8 @@ class FluidFaces {
   private:
     std::vector<Facet> facets_;
     BoxTree tree_;
-    double largest_ = 0;
+    double reach_ = 0; ///< of any facet [m]
 };
-
-std::vector<double> gapsOf(const mapper::Discretisation& wet, const channel::Interface& fluid) {
-    std::vector<double> gaps;
-    for (std::uint32_t i = 0; i * fluid.dimension < fluid.points.size(); ++i) {
-        gaps.push_back(wet.locate(pointOf(fluid, i)).gap);
-    }
-    return gaps;
-}
-
-/// A face of the fluid, and how far its corners are from the wet surface.
-struct FaceGap {
-    Point centre = Point::Zero();
-    double ofCorners = 0; ///< of the farthest one [m]
-    double radius = 0;    ///< of the face around its centre [m]
-};
-
-FaceGap faceGap(const channel::Interface& fluid, std::size_t face,
-                const std::vector<double>& gaps) {
-    const auto begin = fluid.facePoints.begin() + fluid.faceOffsets[face];
-    const auto end = fluid.facePoints.begin() + fluid.faceOffsets[face + 1];
-    FaceGap result;
-    for (auto corner = begin; corner != end; ++corner) {
-        result.centre += pointOf(fluid, *corner) / static_cast<double>(end - begin);
-        result.ofCorners = std::max(result.ofCorners, gaps[*corner]);
-    }
-    for (auto corner = begin; corner != end; ++corner) {
-        result.radius = std::max(result.radius, (pointOf(fluid, *corner) - result.centre).norm());
-    }
-    return result;
-}
 
 bool isUnreached(const WetPart& part) {
     return part.size - part.reached > unreachedFraction * part.size;
@@ -245,7 +246,7 @@ bool isUnreached(const WetPart& part) {
 
 std::vector<WetPart> wetCoverage(const WetSurface& wet, const channel::Interface& fluid) {
     SampledSurface surface = std::visit([](const auto& one) { return sampled(one); }, wet);
-    const FluidFaces faces(facetsOf(fluid, surface));
+    const FluidFaces faces(facetsOf(fluid, surface, gapsOf(discretisation(wet), fluid)));
     for (const WetSample& sample : surface.samples) {
         if (faces.reach(sample)) {
             surface.parts[sample.part].reached += sample.size;
@@ -255,7 +256,6 @@ std::vector<WetPart> wetCoverage(const WetSurface& wet, const channel::Interface
 }
 
 void requireFacesOnBody(const WetSurface& wet, const channel::Interface& fluid) {
-    constexpr double sagitta = 0.6; // of a radius; four chords around a circle have 0.41
     const mapper::Discretisation& surface =
         std::visit([](const auto& one) -> const mapper::Discretisation& { return one; }, wet);
     const std::vector<double> gaps = gapsOf(surface, fluid);
@@ -265,7 +265,7 @@ void requireFacesOnBody(const WetSurface& wet, const channel::Interface& fluid) 
     for (std::size_t face = 0; face < nFaces; ++face) {
         const FaceGap gap = faceGap(fluid, face, gaps);
         const double ofCentre = surface.locate(gap.centre).gap;
-        if (ofCentre > gap.ofCorners + sagitta * gap.radius && ++nStray == 1) {
+        if (ofCentre > gap.reach() && ++nStray == 1) {
             first = fmt::format("({:.6g}, {:.6g}, {:.6g}) is {:.3g} m from the wet parts, its "
                                 "corners at most {:.3g} m",
                                 gap.centre.x(), gap.centre.y(), gap.centre.z(), ofCentre,

@@ -19,8 +19,7 @@ struct WetPart {
 /// Parts of the wet surface on which no force can act, because no face of the fluid lies
 /// before them: a patch that was forgotten moves the answer without any other sign.
 /// A place is reached if its projection falls inside a face that belongs to its part,
-/// that is, whose centre is nearest to it. To the size of a quarter of a knot span. Faces
-/// across a part that is closed in itself reach it too.
+/// that is, whose centre is nearest to it. To the size of a quarter of a knot span.
 std::vector<WetPart> wetCoverage(const WetSurface& wet, const channel::Interface& fluid);
 
 /// Faces of the fluid whose corners lie on the wet surface, or at some distance from it,

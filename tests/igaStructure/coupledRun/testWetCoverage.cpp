@@ -101,7 +101,7 @@ TEST(WetCoverage, aFaceOnAnEdgeThatIsNotWetIsRefusedThoughItsCornersLieOnOthers)
     }
 }
 
-TEST(WetCoverage, chordsOfACylinderReachIt) {
+TEST(WetCoverage, chordsOfACylinderReachItAndHalfOfThemReachHalf) {
     const geometry::NurbsSurface surface =
         geometry::refine(geometry::cylinderPatch({0, 0, 0}, 1, 2, 0, 2 * M_PI), 2, 2, 8, 2);
     std::vector<int> indices(surface.nControlPoints());
@@ -125,4 +125,5 @@ TEST(WetCoverage, chordsOfACylinderReachIt) {
     }
     EXPECT_NO_THROW(requireFacesOnBody(wet, fluid));
     EXPECT_NEAR(fractions(wetCoverage(wet, fluid))[0], 1, 1e-12);
+    EXPECT_NEAR(fractions(wetCoverage(wet, without(fluid, 0, n / 2)))[0], 0.5, 1e-12);
 }
