@@ -92,7 +92,8 @@ neverAccepted()
     behave asksForever
     entry system/fvSolution PIMPLE.nOuterCorrectors 12
     runFaultyFluid
-    expectText log.pimpleFoam "time 0.01 s did not converge in 12 outer correctors: coupling residual 1 (tolerance 0.0001)"
+    expectText log.pimpleFoam "time 0.01 s did not converge in 12 outer correctors" \
+        "structure 1 (tolerance 0.0001)"
 }
 
 property acceptedNevertheless "such a step is accepted with a warning, if the case asks for that"

@@ -283,6 +283,10 @@ void Foam::couplingSession::endFinalCorrector()
         step_.reject();
         return;
     }
+    if (!step_.isAccepted())
+    {
+        return;   // the loop goes on
+    }
     enclosed_.report();
     reportUnlimited();
     if (!isAttached_)
