@@ -77,7 +77,6 @@ judged()
     runFluid
     steps record > steps
     expectEqual "final iterations per step" "$(cut -d ' ' -f 4 steps | sort -u)" 2
-    expectEqual "times written" "$(timeFolders)" "0.01 0.02 0.03 "
     # The loop has gone on, and its last corrector is the one in the table
     expectEqual "outer correctors" "$(table | awk '{ print $3 }' | tr '\n' ' ')" \
         "$(grep 'PIMPLE: converged in' log.pimpleFoam | awk '{ print $4 }' | tr '\n' ' ')"
@@ -91,6 +90,7 @@ neverAccepted()
     makeCase fluid
     behave asksForever
     entry system/fvSolution PIMPLE.nOuterCorrectors 12
+    entry system/fvSolution PIMPLE.residualControl.U.tolerance 0.01
     runFaultyFluid
     expectText log.pimpleFoam "time 0.01 s did not converge in 12 outer correctors" \
         "structure 1 (tolerance 0.0001)"
@@ -102,6 +102,7 @@ acceptedNevertheless()
     makeCase fluid
     behave asksForever
     entry system/fvSolution PIMPLE.nOuterCorrectors 12
+    entry system/fvSolution PIMPLE.residualControl.U.tolerance 0.01
     coupling onUnconverged warn
     runFluid
     expectText log.pimpleFoam "accepted nevertheless, by 'onUnconverged warn'"

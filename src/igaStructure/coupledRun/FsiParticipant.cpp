@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace tokay::structure {
@@ -104,7 +105,10 @@ StructureResponse FsiParticipant::acceptTimeStep(const channel::Forces& final) {
     const coupling::CouplingIteration last = accept(
         finalForces, final.ifConverged ? tolerance_ : std::numeric_limits<double>::infinity());
     if (!last.converged) {
-        return iterate(finalForces, final.fluidResidual);
+        StructureResponse response = iterate(finalForces, final.fluidResidual);
+        response.residual = std::max(response.residual, last.residual);
+        response.converged = false;
+        return response;
     }
     if (final.write) {
         save();

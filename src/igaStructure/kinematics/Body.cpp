@@ -57,7 +57,7 @@ std::unique_ptr<InterfaceTransfer> Body::transfer(const Coupling& coupling,
         [&](const auto& wet) {
             return std::make_unique<InterfaceTransfer>(
                 model(), wet.coordinates(),
-                makeMapping(coupling.method, surface, fluid, coupling.gapLimit, isLinear),
+                makeMapping(coupling.method, surface, fluid, {coupling.gapLimit, true}, isLinear),
                 makeLoadMapping(coupling, surface, fluid, isLinear), mapper::faceSizes(wet, fluid),
                 depth());
         },

@@ -53,10 +53,11 @@ mapper::LoadPoints integratedOver(const SurfaceInterface& from, const FaceMesh& 
 
 template <class Surface>
 std::unique_ptr<const Mapping> mortarMapping(const Surface& from, const FaceMesh& to,
-                                             mapper::MortarBasis basis, double gapLimit) {
+                                             mapper::MortarBasis basis,
+                                             const mapper::GapLimit& limit) {
     mapper::MortarOptions options;
     options.basis = basis;
-    options.gapLimit = {gapLimit, true};
+    options.gapLimit = limit;
     auto mapping = std::make_unique<mapper::MortarMapping>(from, meshOf(from, to), options);
     if (const int n = mapping->report().nUncovered; n > 0) {
         throw InputError(fmt::format(
@@ -105,17 +106,17 @@ std::unique_ptr<const Mapping> offsetMapping(const Surface& from, const Points& 
 } // namespace
 
 std::unique_ptr<const Mapping> makeMapping(TransferMethod method, const WetSurface& from,
-                                           const FaceMesh& to, double gapLimit, bool isLinear) {
-    const mapper::GapLimit limit{gapLimit, true};
+                                           const FaceMesh& to, const mapper::GapLimit& limit,
+                                           bool isLinear) {
     return std::visit(
         [&](const auto& surface) -> std::unique_ptr<const Mapping> {
             switch (method) {
             case TransferMethod::offset:
                 return offsetMapping(surface, to.vertices, limit, isLinear);
             case TransferMethod::mortar:
-                return mortarMapping(surface, to, mapper::MortarBasis::standard, gapLimit);
+                return mortarMapping(surface, to, mapper::MortarBasis::standard, limit);
             case TransferMethod::dualMortar:
-                return mortarMapping(surface, to, mapper::MortarBasis::dual, gapLimit);
+                return mortarMapping(surface, to, mapper::MortarBasis::dual, limit);
             case TransferMethod::nearestNeighbour:
             case TransferMethod::rbf:
                 return sampledMapping(method, surface, to.vertices, limit);
@@ -140,8 +141,9 @@ LoadMapping makeLoadMapping(const Coupling& coupling, const WetSurface& from, co
     const TransferMethod method = coupling.method == TransferMethod::offset
                                       ? TransferMethod::offset
                                       : TransferMethod::nearestElement;
+    // Gaps are those of the fluid's points.
     std::unique_ptr<const Mapping> mapping =
-        makeMapping(method, from, {at.points, {}}, coupling.gapLimit, isLinear);
+        makeMapping(method, from, {at.points, {}}, {coupling.gapLimit, false}, isLinear);
     return {std::move(at), std::move(mapping), false};
 }
 

@@ -3,6 +3,7 @@
 
 #include "igaStructure/assembly/StructuralModel.hpp"
 #include "igaStructure/kinematics/Coupling.hpp"
+#include "mapper/GapStatistics.hpp"
 #include "mapper/Mapping.hpp"
 #include "mapper/interface/SplineInterface.hpp"
 #include "mapper/interface/SurfaceInterface.hpp"
@@ -22,11 +23,11 @@ using WetSurface = std::variant<mapper::SplineInterface, mapper::SurfaceInterfac
 /// @param to        faces of the fluid's interface
 /// @param isLinear  whether the body has linear strains: its sections then turn
 ///                  by small angles only
-/// @throws InputError if a gap is beyond the coupling's limit, or for points that a
+/// @throws InputError if a gap is beyond a limit that refuses, or for points that a
 ///         mortar mapping does not reach
 std::unique_ptr<const mapper::Mapping> makeMapping(TransferMethod method, const WetSurface& from,
-                                                   const mapper::FaceMesh& to, double gapLimit,
-                                                   bool isLinear);
+                                                   const mapper::FaceMesh& to,
+                                                   const mapper::GapLimit& limit, bool isLinear);
 
 /// Where forces on faces act, and the mapping whose transpose takes them from there to
 /// the control points.

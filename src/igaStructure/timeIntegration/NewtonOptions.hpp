@@ -35,7 +35,7 @@ struct NewtonOptions {
              "Shells and beams with nonlinear strains: a tangent takes the stresses that the last "
              "iteration predicted, not those of its displacement (mixed integration point method, "
              "Magisano et al. 2017): the same solution in fewer iterations, the thinner the body "
-             "the fewer."}};
+             "the fewer. A step that fails is solved once more by exact tangents."}};
         return schema;
     }
 };

@@ -255,7 +255,7 @@ void TimeIntegrator::solveLinear() {
 
 void TimeIntegrator::renewTangent() {
     const VectorXd middle = atAlphaF(state_.displacement, displacement_);
-    if (linearisedAt_ && newton_.mixedStresses) {
+    if (linearisedAt_ && mixesStresses_) {
         model_.mixedInternalForce(middle, *linearisedAt_, tangent_);
     } else {
         model_.internalForce(middle, tangent_);
@@ -265,7 +265,29 @@ void TimeIntegrator::renewTangent() {
     factorise();
 }
 
+// Mixed stresses save iterations, but in a very large step they may miss the solution that
+// exact tangents find.
 void TimeIntegrator::solveNonlinear() {
+    mixesStresses_ = newton_.mixedStresses;
+    if (!mixesStresses_) {
+        findBalance();
+        return;
+    }
+    const VectorXd start = displacement_;
+    try {
+        findBalance();
+    } catch (const SolverError&) {
+        const int nInVain = nIterations_;
+        mixesStresses_ = false;
+        tangentServes_ = false;
+        displacement_ = start;
+        residuals_.clear();
+        findBalance();
+        nIterations_ += nInVain;
+    }
+}
+
+void TimeIntegrator::findBalance() {
     Balance current = balance(displacement_);
     linearisedAt_.reset();
     for (nIterations_ = 0; nIterations_ < newton_.maxIterations; ++nIterations_) {

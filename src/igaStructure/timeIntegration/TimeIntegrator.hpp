@@ -113,6 +113,7 @@ class TimeIntegrator {
     void setInitialAcceleration();
     void solveLinear();
     void solveNonlinear();
+    void findBalance();
     Balance iterate(const Balance& current);
     std::optional<Balance> iterateWithKeptTangent(const Balance& current);
     Balance searchAlong(const Eigen::VectorXd& update, const Balance& current);
@@ -142,6 +143,7 @@ class TimeIntegrator {
     Eigen::VectorXd displacement_; ///< latest iterate at the end of the step
     /// Displacement whose tangent led to the latest iterate, for mixed stresses.
     std::optional<Eigen::VectorXd> linearisedAt_;
+    bool mixesStresses_ = false; ///< in this attempt
 
     int nIterations_ = 0;
     int nFactorisations_ = 0;

@@ -211,7 +211,7 @@ TEST(LoadPoints, uniform_traction_on_a_plate_is_its_consistent_load_at_any_ratio
     }
 }
 
-TEST(LoadPoints, chords_of_a_circle_load_it_to_second_order_of_the_faces) {
+TEST(LoadPoints, chords_of_a_circle_load_it_at_least_to_second_order_of_the_faces) {
     const SplineInterface splines = quarterCircle(2, 40);
     const VectorXd exact = integralsAlong(splines);
     double before = 0;
@@ -224,7 +224,7 @@ TEST(LoadPoints, chords_of_a_circle_load_it_to_second_order_of_the_faces) {
                                  .maxCoeff() /
                              exact.maxCoeff();
         if (before > 0) {
-            EXPECT_NEAR(std::log2(before / error), 2, 0.2);
+            EXPECT_GT(std::log2(before / error), 1.9);
         }
         before = error;
     }
