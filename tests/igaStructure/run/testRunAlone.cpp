@@ -152,7 +152,9 @@ TEST(CheckCase, prints_all_options_of_the_chosen_acceleration) {
                    "maxStep: 7}\noutput:")));
     EXPECT_THAT(text, HasSubstr("coupling: interface left right, displacements nearestElement, "
                                 "loads integrated, gap limit 0.01"));
-    EXPECT_THAT(text, HasSubstr("acceleration iqnIls, reusedTimeSteps 15, maxColumns 30, initialRelaxation 0.1"));
+    EXPECT_THAT(
+        text,
+        HasSubstr("acceleration iqnIls, reusedTimeSteps 15, maxColumns 30, initialRelaxation 0.1"));
     EXPECT_THAT(text, HasSubstr("maxStep 7"));
     EXPECT_THAT(text, HasSubstr("filter qr2"));
 }
