@@ -150,7 +150,7 @@ runFluid()
     fluidCommand "$@"
     env "$mark" timeout 60 "${command[@]}" > log.pimpleFoam 2>&1 || status=$?
     [ "$status" -eq 0 ] || fail "the run has ended with status $status"
-    expectNoProcess 1
+    expectNoProcess 5
 }
 
 # runFaultyFluid [RANKS]: the case to an end that is not good, in time
