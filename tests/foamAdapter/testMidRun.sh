@@ -42,7 +42,7 @@ stopRun()
     edit system/controlDict setEntry stopAt writeNow
     wait "$fluid" || status=$?
     [ "$status" -eq 0 ] || fail "the run has ended with status $status"
-    expectNoProcess 1
+    expectNoProcess 5
 }
 
 # waitForSteps N: that many more
