@@ -45,8 +45,8 @@ mapper::FaceMesh faceMesh(const channel::Interface& fluid) {
 } // namespace
 
 InterfaceFaces::InterfaceFaces(const channel::Interface& fluid)
-    : isPlane_(fluid.dimension == 2), offsets_(fluid.faceOffsets), points_(fluid.facePoints),
-      mesh_(faceMesh(fluid)), atVertices_(mapper::loadsAtVertices(mesh_)) {}
+    : isPlane_(fluid.dimension == 2), mesh_(faceMesh(fluid)),
+      atVertices_(mapper::loadsAtVertices(mesh_)) {}
 
 double InterfaceFaces::sweptVolume(const Points& from, const Points& to) const {
     double volume = 0;
@@ -58,8 +58,8 @@ double InterfaceFaces::sweptVolume(const Points& from, const Points& to) const {
 
 // The fluid lies left of an edge.
 double InterfaceFaces::sweptByEdge(int face, const Points& from, const Points& to) const {
-    const std::uint32_t a = points_[offsets_[face]];
-    const std::uint32_t b = points_[offsets_[face + 1] - 1];
+    const int a = mesh_.faces[face].front();
+    const int b = mesh_.faces[face].back();
     const Vector3d across = to.row(b) - from.row(a);
     const Vector3d back = to.row(a) - from.row(b);
     return -0.5 * across.cross(back).z();
@@ -67,21 +67,19 @@ double InterfaceFaces::sweptByEdge(int face, const Points& from, const Points& t
 
 // Triangles around the mean of the points.
 double InterfaceFaces::sweptByPolygon(int face, const Points& from, const Points& to) const {
-    const std::uint32_t begin = offsets_[face];
-    const std::uint32_t end = offsets_[face + 1];
-    const auto motion = [&](std::uint32_t point) -> Vector3d {
-        return to.row(point) - from.row(point);
-    };
+    const std::vector<int>& corners = mesh_.faces[face];
+    const auto n = static_cast<int>(corners.size());
+    const auto motion = [&](int point) -> Vector3d { return to.row(point) - from.row(point); };
     Vector3d centre = Vector3d::Zero();
     Vector3d centreMotion = Vector3d::Zero();
-    for (std::uint32_t k = begin; k < end; ++k) {
-        centre += from.row(points_[k]) / (end - begin);
-        centreMotion += motion(points_[k]) / (end - begin);
+    for (const int point : corners) {
+        centre += from.row(point) / n;
+        centreMotion += motion(point) / n;
     }
     double volume = 0;
-    for (std::uint32_t k = begin; k < end; ++k) {
-        const std::uint32_t p = points_[k];
-        const std::uint32_t q = points_[k + 1 < end ? k + 1 : begin];
+    for (int k = 0; k < n; ++k) {
+        const int p = corners[k];
+        const int q = corners[(k + 1) % n];
         volume +=
             sweptByTriangle(centre, from.row(p), from.row(q), centreMotion, motion(p), motion(q));
     }

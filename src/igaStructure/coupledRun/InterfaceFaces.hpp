@@ -13,7 +13,7 @@ class InterfaceFaces {
     /// @throws channel::PeerError if a face has no points
     explicit InterfaceFaces(const channel::Interface& fluid);
 
-    int count() const { return static_cast<int>(offsets_.size()) - 1; }
+    int count() const { return mesh_.nFaces(); }
     const mapper::FaceMesh& mesh() const { return mesh_; }
 
     /// @param ofPoints  nPoints x 3
@@ -33,8 +33,6 @@ class InterfaceFaces {
     double sweptByPolygon(int face, const geometry::Points& from, const geometry::Points& to) const;
 
     bool isPlane_;
-    std::vector<std::uint32_t> offsets_;
-    std::vector<std::uint32_t> points_;
     mapper::FaceMesh mesh_;
     mapper::LoadPoints atVertices_;
 };

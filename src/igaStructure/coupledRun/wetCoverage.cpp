@@ -256,8 +256,7 @@ std::vector<WetPart> wetCoverage(const WetSurface& wet, const channel::Interface
 }
 
 void requireFacesOnBody(const WetSurface& wet, const channel::Interface& fluid) {
-    const mapper::Discretisation& surface =
-        std::visit([](const auto& one) -> const mapper::Discretisation& { return one; }, wet);
+    const mapper::Discretisation& surface = discretisation(wet);
     const std::vector<double> gaps = gapsOf(surface, fluid);
     const std::size_t nFaces = fluid.faceOffsets.size() - 1;
     std::size_t nStray = 0;

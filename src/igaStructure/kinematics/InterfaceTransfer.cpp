@@ -62,8 +62,10 @@ std::unique_ptr<const Mapping> mortarMapping(const Surface& from, const FaceMesh
     if (const int n = mapping->report().nUncovered; n > 0) {
         throw InputError(fmt::format(
             "coupling.mapping.type: the structure lies beside none of the faces around {} of the "
-            "fluid's {} points, so mortar gives them no displacement; nearestElement{} does",
-            n, to.vertices.rows(), " (a thin body: offset)"));
+            "fluid's {} points, so mortar gives them no displacement; use nearestElement, for a "
+            "thin "
+            "body offset",
+            n, to.vertices.rows()));
     }
     return mapping;
 }

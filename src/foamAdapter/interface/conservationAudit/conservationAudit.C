@@ -75,7 +75,11 @@ void Foam::conservationAudit::addPatch
 )
 {
     const polyPatch& patch = mesh_.boundaryMesh()[patchi];
-    const vectorField motions(mesh_.points() - mesh_.oldPoints());
+    const pointField& points = patch.localPoints();
+    const vectorField motions
+    (
+        points - pointField(mesh_.oldPoints(), patch.meshPoints())
+    );
     const vectorField& centres = mesh_.Cf().boundaryField()[patchi];
     const scalarField swept
     (
@@ -87,7 +91,7 @@ void Foam::conservationAudit::addPatch
         const vector& force = forces[start + facei];
         const vector motion
         (
-            patch[facei].average(mesh_.points(), motions)
+            patch.localFaces()[facei].average(points, motions)
            /mesh_.time().deltaTValue()
         );
 
