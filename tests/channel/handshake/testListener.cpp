@@ -4,6 +4,7 @@
 #include "channel/handshake/readToken.hpp"
 #include "channel/handshake/shakeHands.hpp"
 #include "common/errors.hpp"
+#include "temporaryDirectory.hpp"
 
 #include <arpa/inet.h>
 #include <gmock/gmock.h>
@@ -32,16 +33,10 @@ using ::testing::StartsWith;
 
 class ListenerTest : public ::testing::Test {
   protected:
-    ListenerTest() {
-        std::string name = (std::filesystem::temp_directory_path() / "tokayXXXXXX").string();
-        folder_ = mkdtemp(name.data());
-    }
-    ~ListenerTest() override { std::filesystem::remove_all(folder_); }
-
-    std::string socketFile() const { return (folder_ / "socket").string(); }
+    std::string socketFile() const { return directory_.file("socket"); }
     std::string unixAddress() const { return "unix:" + socketFile(); }
 
-    std::filesystem::path folder_;
+    TemporaryDirectory directory_;
 };
 
 const std::string token = "secret";
@@ -304,9 +299,9 @@ TEST_F(CrowdedListener, dismissesTheOldestWhenThereAreTooMany) {
 }
 
 TEST(Token, isTheFirstLineOfAFileForItsOwnerAlone) {
-    std::string name = (std::filesystem::temp_directory_path() / "tokenXXXXXX").string();
-    close(mkstemp(name.data())); // mode 0600
-    std::ofstream(name) << "  open sesame \r\nmore\n";
+    const TemporaryDirectory directory;
+    const std::string name = directory.write("token", "  open sesame \r\nmore\n");
+    chmod(name.c_str(), 0600);
     EXPECT_EQ(readToken(name), "open sesame");
     for (const mode_t mode : {0640, 0604, 0620, 0601, 0666}) {
         chmod(name.c_str(), mode);
