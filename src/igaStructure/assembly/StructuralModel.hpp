@@ -96,8 +96,29 @@ class StructuralModel {
     /// for rows and columns of fixed unknowns.
     virtual bool hasSymmetricTangent() const { return true; }
 
-    /// Unknowns that are zero.
+    /// Unknowns that no equilibrium decides: zero, unless they move as prescribed() or
+    /// depend on others by extension().
     virtual const std::vector<bool>& fixed() const = 0;
+
+    /// True if unknowns that fixed() marks move as prescribed() says.
+    virtual bool hasPrescribedMotion() const { return false; }
+
+    /// Displacement at a time of the unknowns that fixed() marks, 0 for the others [m]. The
+    /// time scheme makes velocities and accelerations of it. Asked anew for each solution
+    /// of a step, so it may change from one to the next.
+    /// @throws InputError if it is not finite
+    virtual Eigen::VectorXd prescribed(double /*time*/) const {
+        return Eigen::VectorXd::Zero(nUnknowns());
+    }
+
+    /// Matrix E, nUnknowns() square, of unknowns that depend on others: all of them are
+    ///   u = E q + prescribed(t),
+    /// q being the free ones. Its rows are those of the identity for free unknowns and
+    /// combinations of free ones for dependent unknowns, which fixed() marks too; columns
+    /// of unknowns that fixed() marks are empty. Equilibrium is asked for at the free
+    /// unknowns only, so that the matrix to solve, the free rows of K E, is not symmetric
+    /// (Petrov-Galerkin). None: fixed unknowns depend on no other.
+    virtual const SparseMatrix* extension() const { return nullptr; }
 
     /// Motions without strain that the supports leave free, in words.
     virtual std::vector<std::string> freeRigidMotions() const = 0;
@@ -125,6 +146,36 @@ inline void setFixedToZero(const std::vector<bool>& fixed, Eigen::VectorXd& vect
             vector[static_cast<Eigen::Index>(k)] = 0;
         }
     }
+}
+
+/// The components of fixed unknowns; the others are zero.
+/// @param fixed  as StructuralModel::fixed()
+inline Eigen::VectorXd fixedPart(const std::vector<bool>& fixed, Eigen::VectorXd vector) {
+    for (std::size_t k = 0; k < fixed.size(); ++k) {
+        if (!fixed[k]) {
+            vector[static_cast<Eigen::Index>(k)] = 0;
+        }
+    }
+    return vector;
+}
+
+/// A vector of unknowns, or of their rates, whose free ones are given: dependent ones
+/// follow from these, fixed ones are zero; what is prescribed is added to both.
+inline Eigen::VectorXd asSupported(const StructuralModel& model, Eigen::VectorXd vector,
+                                   const Eigen::VectorXd& prescribed) {
+    if (const SparseMatrix* extension = model.extension()) {
+        return *extension * vector + prescribed;
+    }
+    setFixedToZero(model.fixed(), vector);
+    return vector + prescribed;
+}
+
+/// A displacement whose free unknowns are given, as supports have it at a time [m].
+inline Eigen::VectorXd asSupported(const StructuralModel& model,
+                                   const Eigen::VectorXd& displacement, double time) {
+    return model.hasPrescribedMotion() || model.extension()
+               ? asSupported(model, displacement, model.prescribed(time))
+               : displacement;
 }
 
 } // namespace tokay::structure

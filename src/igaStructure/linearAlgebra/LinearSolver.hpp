@@ -58,10 +58,14 @@ enum class MatrixKind { positiveDefinite, general };
 
 /// Cholesky's factorisation, or for general matrices LU, which takes twice the
 /// operations and memory.
-/// @param pattern  both triangles, sorted columns; values are not used
-/// @param fixed    unknowns left out
+/// @param pattern    both triangles, sorted columns; values are not used
+/// @param fixed      unknowns left out
+/// @param extension  E, if unknowns depend on others (StructuralModel::extension()): the
+///                   solver then takes the free rows of the matrix times E, by LU, and gives
+///                   E times their solution; is kept by reference
 /// @throws SolverError if every unknown is fixed
 std::unique_ptr<LinearSolver> makeLinearSolver(const SparseMatrix& pattern,
-                                               const std::vector<bool>& fixed, MatrixKind kind);
+                                               const std::vector<bool>& fixed, MatrixKind kind,
+                                               const SparseMatrix* extension = nullptr);
 
 } // namespace tokay::structure

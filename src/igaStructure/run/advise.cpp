@@ -2,7 +2,7 @@
 #include "igaStructure/run/advise.hpp"
 
 #include "common/errors.hpp"
-#include "igaStructure/linearAlgebra/SparseLu.hpp"
+#include "igaStructure/linearAlgebra/LinearSolver.hpp"
 #include "igaStructure/timeIntegration/TimeIntegrator.hpp"
 #include "igaStructure/timeIntegration/naturalModes.hpp"
 
@@ -135,9 +135,12 @@ std::string adviseStep(const Case& structureCase, const Body& body, const Vector
 double staticEstimate(const Case& structureCase, StructuralModel& model) {
     const double time = structureCase.timeSteps ? structureCase.timeSteps->end : 1;
     const SparseMatrix stiffness = stiffnessAtRest(model);
-    SparseLu solver(stiffness, model.fixed());
-    solver.factorise(stiffness);
-    return solver.solve(loadsAtRest(model, time)).lpNorm<Eigen::Infinity>();
+    const auto solver =
+        makeLinearSolver(stiffness, model.fixed(), MatrixKind::general, model.extension());
+    solver->factorise(stiffness);
+    const VectorXd start = asSupported(model, VectorXd::Zero(model.nUnknowns()), time);
+    const VectorXd rest = solver->solve(loadsAtRest(model, time) - stiffness * start);
+    return (start + rest).lpNorm<Eigen::Infinity>();
 }
 
 std::string adviseStrains(const Case& structureCase, Body& body, const Stiffening& stiffening) {

@@ -32,7 +32,8 @@ ArcLength::ArcLength(StructuralModel& model, const NewtonOptions& newton,
                      const EquilibriumPath& path, double firstStep, double end)
     : model_(model), newton_(newton), path_(path), firstStep_(firstStep), end_(end),
       rounding_(stiffnessAtRest(model), model.size()), farthestTime_(end) {
-    solver_ = makeLinearSolver(stiffnessAtRest(model), model.fixed(), MatrixKind::general);
+    solver_ = makeLinearSolver(stiffnessAtRest(model), model.fixed(), MatrixKind::general,
+                               model.extension());
     MotionState start;
     start.displacement = VectorXd::Zero(model.nUnknowns());
     start.velocity = start.acceleration = start.displacement;
@@ -42,7 +43,7 @@ ArcLength::ArcLength(StructuralModel& model, const NewtonOptions& newton,
 
 void ArcLength::restart(const MotionState& state) {
     state_ = state;
-    totalForce_ = force({state_.displacement, state_.time});
+    totalForce_ = forceAndReaction({state_.displacement, state_.time});
     firstArc_ = arc_ = 0;
 }
 
@@ -52,37 +53,53 @@ VectorXd ArcLength::force(const Iterate& at) const {
     return force;
 }
 
+// What is out of balance, reactions being those that fixed unknowns leave.
+VectorXd ArcLength::forceAndReaction(const Iterate& at) {
+    VectorXd force = this->force(at);
+    state_.reaction =
+        fixedPart(model_.fixed(), model_.internalForce(at.displacement).force - force);
+    return force + state_.reaction;
+}
+
 // Formulas are smooth in time, most of them linear: then differences are exact. They stay
 // within the times of the run, where formulas are defined.
-VectorXd ArcLength::loadRate(const Iterate& at) const {
+ArcLength::Rates ArcLength::ratesInTime(const Iterate& at) const {
     const double h = 1e-4 * firstStep_;
     const auto within = [&](double time) {
         return at.time >= 0 && at.time <= end_ ? std::clamp(time, 0.0, end_) : time;
     };
     const double before = within(at.time - h);
     const double after = within(at.time + h);
-    return (force({at.displacement, after}) - force({at.displacement, before})) / (after - before);
+    const double between = after - before;
+    return {(force({at.displacement, after}) - force({at.displacement, before})) / between,
+            (model_.prescribed(after) - model_.prescribed(before)) / between};
+}
+
+// Of the equilibrium, in time, with the factored tangent.
+VectorXd ArcLength::rate(const Iterate& at) const {
+    const Rates rates = ratesInTime(at);
+    return rates.supports + solver_->solve(rates.force - tangent_ * rates.supports);
 }
 
 void ArcLength::factorise(const Iterate& at, const VectorXd* linearisedAt) {
-    SparseMatrix tangent;
     if (linearisedAt && newton_.mixedStresses) {
-        model_.mixedInternalForce(at.displacement, *linearisedAt, tangent);
+        model_.mixedInternalForce(at.displacement, *linearisedAt, tangent_);
     } else {
-        model_.internalForce(at.displacement, tangent);
+        model_.internalForce(at.displacement, tangent_);
     }
-    model_.subtractFollowerDerivative(at.displacement, at.time, tangent);
-    solver_->factorise(tangent);
+    model_.subtractFollowerDerivative(at.displacement, at.time, tangent_);
+    solver_->factorise(tangent_);
     ++nSolutions_;
 }
 
 ArcLength::Iterate ArcLength::predict() {
     const Iterate start{state_.displacement, state_.time};
     factorise(start, nullptr);
-    const VectorXd rate = solver_->solve(loadRate(start));
+    const VectorXd rate = this->rate(start);
     if (!(rate.norm() > 0)) {
-        throw SolverError("the loads do not change with time, so there is no path to follow; give "
-                          "them a factor t");
+        throw SolverError(
+            "neither loads nor supports change with time, so there is no path to follow; give "
+            "them a factor t");
     }
     if (firstArc_ == 0) {
         firstArc_ = arc_ = firstStep_ * rate.norm();
@@ -105,6 +122,7 @@ bool ArcLength::goesOn(const Iterate& iterate, const Iterate& predicted) const {
 
 // Newton's method, on an arc of a length or, without one, at the iterate's time.
 bool ArcLength::converge(Iterate& iterate, std::optional<double> arc) {
+    iterate.displacement = asSupported(model_, iterate.displacement, iterate.time);
     VectorXd linearisedAt = state_.displacement;
     for (nIterations_ = 0;; ++nIterations_) {
         if (!isInRange(iterate)) {
@@ -134,12 +152,12 @@ bool ArcLength::converge(Iterate& iterate, std::optional<double> arc) {
         linearisedAt = iterate.displacement;
         VectorXd move = solver_->solve(residual);
         if (arc) {
-            const VectorXd rate = solver_->solve(loadRate(iterate));
+            const VectorXd rate = this->rate(iterate);
             const double time = -(0.5 * excess + step.dot(move)) / step.dot(rate);
             move += time * rate;
             iterate.time += time;
         }
-        iterate.displacement += move;
+        iterate.displacement = asSupported(model_, iterate.displacement + move, iterate.time);
     }
 }
 
@@ -202,7 +220,7 @@ std::optional<ArcLength::Iterate> ArcLength::attemptEnd(const Iterate& beyond) {
 void ArcLength::accept(const Iterate& iterate) {
     direction_ = iterate.displacement - state_.displacement;
     lastArc_ = direction_.norm();
-    const VectorXd force = this->force(iterate);
+    const VectorXd force = forceAndReaction(iterate);
     externalWork_ += 0.5 * direction_.dot(force + totalForce_);
     totalForce_ = force;
     state_.displacement = iterate.displacement;

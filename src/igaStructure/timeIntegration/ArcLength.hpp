@@ -14,15 +14,14 @@
 namespace tokay::structure {
 
 /// Follows a static equilibrium path through limit points, where a structure snaps and no
-/// load step converges. Time is the load's parameter and an unknown beside the
-/// displacement: it may fall again. A step ends on the arc, at a given distance
-/// |change of displacement| from where it began; from there the path goes on in the
-/// direction in which it came. An iteration that fails, leaves the range of the loads or
-/// turns back is repeated with half the arc; arcs grow and shrink with the square root of
-/// the wanted number of iterations over that of the last step. The step that would pass
-/// the end is solved at the end instead.
-/// Source: Crisfield 1981 (cylindrical arc length), the constraint linearised in each
-/// iteration; Ramm 1981 (rule for the arc)
+/// load step converges. Time is the parameter of loads and of supports that move and an unknown
+/// beside the displacement: it may fall again. A step ends on the arc, at a given distance |change
+/// of displacement| from where it began; from there the path goes on in the direction in which it
+/// came. An iteration that fails, leaves the range of the loads or turns back is repeated with half
+/// the arc; arcs grow and shrink with the square root of the wanted number of iterations over that
+/// of the last step. The step that would pass the end is solved at the end instead. Source:
+/// Crisfield 1981 (cylindrical arc length), the constraint linearised in each iteration; Ramm 1981
+/// (rule for the arc)
 class ArcLength : public Stepper {
   public:
     /// Starts undeformed at time 0.
@@ -52,7 +51,14 @@ class ArcLength : public Stepper {
         double time;
     };
     Eigen::VectorXd force(const Iterate& at) const;
-    Eigen::VectorXd loadRate(const Iterate& at) const;
+    Eigen::VectorXd forceAndReaction(const Iterate& at);
+    /// Rates of change in time, at a displacement.
+    struct Rates {
+        Eigen::VectorXd force;    ///< of the loads [N/s]
+        Eigen::VectorXd supports; ///< of prescribed displacements [m/s]
+    };
+    Rates ratesInTime(const Iterate& at) const;
+    Eigen::VectorXd rate(const Iterate& at) const;
     void factorise(const Iterate& at, const Eigen::VectorXd* linearisedAt);
     Iterate predict();
     bool passesEnd(const Iterate& iterate) const;
@@ -75,11 +81,12 @@ class ArcLength : public Stepper {
     double firstArc_ = 0;
     double arc_ = 0;
     double lastArc_ = 0;
+    SparseMatrix tangent_;
     std::unique_ptr<LinearSolver> solver_; ///< LU: tangents are indefinite beyond a limit
     RoundingFloor rounding_;
     MotionState state_;
-    Eigen::VectorXd direction_; ///< of the last step
-    Eigen::VectorXd totalForce_;
+    Eigen::VectorXd direction_;  ///< of the last step
+    Eigen::VectorXd totalForce_; ///< reactions included
     double externalWork_ = 0;
     double farthestTime_; ///< largest |time| so far, the end included
     int nIterations_ = 0; ///< of the last attempt

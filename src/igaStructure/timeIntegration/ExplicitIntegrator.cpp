@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/timeIntegration/ExplicitIntegrator.hpp"
 
+#include "igaStructure/timeIntegration/supportMotion.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -24,9 +26,12 @@ void requireNoStiffnessDamping(const StructuralModel& model) {
 } // namespace
 
 ExplicitIntegrator::ExplicitIntegrator(StructuralModel& model, double startTime)
-    : model_(model), mass_(model.lumpedMassMatrix()), solver_(mass_, model.fixed()) {
+    : model_(model), mass_(model.lumpedMassMatrix()),
+      solver_(
+          makeLinearSolver(mass_, model.fixed(), MatrixKind::positiveDefinite, model.extension())) {
     requireNoStiffnessDamping(model);
-    solver_.factorise(mass_);
+    requireSupportsAtRest(model, startTime);
+    solver_->factorise(mass_);
     state_.time = startTime;
     state_.displacement = VectorXd::Zero(model.nUnknowns());
     state_.velocity = state_.displacement;
@@ -36,7 +41,7 @@ ExplicitIntegrator::ExplicitIntegrator(StructuralModel& model, double startTime)
     }
     totalForce_ = external(startTime);
     state_.force = model.externalForce(startTime);
-    state_.acceleration = acceleration(state_.velocity);
+    setAcceleration(state_.velocity, VectorXd::Zero(model.nUnknowns()));
 }
 
 VectorXd ExplicitIntegrator::external(double time) const {
@@ -45,12 +50,28 @@ VectorXd ExplicitIntegrator::external(double time) const {
     return force;
 }
 
-VectorXd ExplicitIntegrator::acceleration(const VectorXd& velocity) const {
+// External - damping - internal.
+VectorXd ExplicitIntegrator::imbalance(const VectorXd& velocity) const {
     VectorXd force = totalForce_ - model_.internalForce(state_.displacement).force;
     if (model_.massDamping() > 0) {
         force -= model_.massDamping() * (mass_ * velocity);
     }
-    return solver_.solve(force);
+    return force;
+}
+
+// Also the reactions to it.
+void ExplicitIntegrator::setAcceleration(const VectorXd& velocity, const VectorXd& ofSupports) {
+    const VectorXd force = imbalance(velocity);
+    state_.acceleration = ofSupports + solver_->solve(force - mass_ * ofSupports);
+    state_.reaction = fixedPart(model_.fixed(), mass_ * state_.acceleration - force);
+}
+
+void ExplicitIntegrator::startSupports(double deltaT) {
+    isAtStart_ = false;
+    const SupportRates rates = supportRates(model_, state_.time, deltaT);
+    state_.velocity = rates.velocity;
+    setAcceleration(state_.velocity, rates.acceleration);
+    energies_.externalWork = 0.5 * state_.velocity.dot(mass_ * state_.velocity);
 }
 
 double ExplicitIntegrator::stableStep(const VectorXd& displacement) {
@@ -60,24 +81,27 @@ double ExplicitIntegrator::stableStep(const VectorXd& displacement) {
     double square = 0; // of the angular frequency
     for (int k = 0; k < nPowerIterations; ++k) {
         vibration_ /= std::sqrt(vibration_.dot(mass_ * vibration_));
-        const VectorXd force = tangent * vibration_;
-        square = vibration_.dot(force);
-        vibration_ = solver_.solve(force);
+        vibration_ = solver_->solve(tangent * vibration_);
+        square = std::sqrt(vibration_.dot(mass_ * vibration_));
     }
     return 2 / std::sqrt(1.01 * square);
 }
 
 void ExplicitIntegrator::advancePart(double time, double deltaT) {
     const VectorXd middle = state_.velocity + 0.5 * deltaT * state_.acceleration;
-    const VectorXd motion = deltaT * middle;
-    state_.displacement += motion;
+    VectorXd motion = deltaT * middle;
+    const VectorXd end = state_.displacement + motion;
+    const VectorXd before = totalForce_ + state_.reaction;
+    state_.displacement = asSupported(model_, end, time);
+    motion += state_.displacement - end;
     state_.time = time;
-    const VectorXd before = totalForce_;
     totalForce_ = external(time);
-    energies_.externalWork += 0.5 * motion.dot(before + totalForce_);
+    const SupportRates rates = supportRates(model_, time, -deltaT);
+    setAcceleration(middle, rates.acceleration);
+    state_.velocity =
+        asSupported(model_, middle + 0.5 * deltaT * state_.acceleration, rates.velocity);
+    energies_.externalWork += 0.5 * motion.dot(before + totalForce_ + state_.reaction);
     energies_.dampingWork += model_.massDamping() * motion.dot(mass_ * middle);
-    state_.acceleration = acceleration(middle);
-    state_.velocity = middle + 0.5 * deltaT * state_.acceleration;
 }
 
 StepEffort ExplicitIntegrator::advance(double time, double /*deltaT*/) {
@@ -85,6 +109,9 @@ StepEffort ExplicitIntegrator::advance(double time, double /*deltaT*/) {
     const double limit = safety * stableStep(state_.displacement);
     const auto nParts = static_cast<int>(std::ceil((time - start) / limit * (1 - 1e-12)));
     const double part = (time - start) / nParts;
+    if (isAtStart_) {
+        startSupports(part);
+    }
     for (int k = 1; k <= nParts; ++k) {
         advancePart(k == nParts ? time : start + k * part, part);
     }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "igaStructure/assembly/StructuralModel.hpp"
-#include "igaStructure/linearAlgebra/SparseCholesky.hpp"
+#include "igaStructure/linearAlgebra/LinearSolver.hpp"
 #include "igaStructure/timeIntegration/Stepper.hpp"
 
 namespace tokay::structure {
@@ -11,6 +11,9 @@ namespace tokay::structure {
 /// equilibrium iterations, but stable only for steps below 2 / (highest angular
 /// frequency). That limit is estimated from the tangent, and a step is taken in
 /// as many equal parts as it needs.
+///
+/// Supports that move have the velocity and acceleration of their motion, by differences
+/// over a part.
 ///
 /// Mass damping is taken at the middle of a part; stiffness damping, which would
 /// lower the limit further, is refused.
@@ -21,7 +24,8 @@ class ExplicitIntegrator : public Stepper {
 
     /// Starts at rest, undeformed.
     /// @param model  is kept by reference
-    /// @throws InputError if the model has stiffness damping
+    /// @throws InputError if the model has stiffness damping, or supports are displaced at
+    ///         the start
     ExplicitIntegrator(StructuralModel& model, double startTime);
 
     /// @throws SolverError if the motion grows beyond all bounds
@@ -36,13 +40,16 @@ class ExplicitIntegrator : public Stepper {
 
   private:
     Eigen::VectorXd external(double time) const;
-    Eigen::VectorXd acceleration(const Eigen::VectorXd& velocity) const;
+    Eigen::VectorXd imbalance(const Eigen::VectorXd& velocity) const;
+    void startSupports(double deltaT);
+    void setAcceleration(const Eigen::VectorXd& velocity, const Eigen::VectorXd& ofSupports);
     void advancePart(double time, double deltaT);
 
     StructuralModel& model_;
     SparseMatrix mass_;
-    mutable SparseCholesky solver_;
+    std::unique_ptr<LinearSolver> solver_;
     MotionState state_;
+    bool isAtStart_ = true;      ///< supports have no rates yet
     Eigen::VectorXd totalForce_; ///< followers included
     Eigen::VectorXd vibration_;  ///< of the highest frequency, from the last estimate
     Energies energies_;

@@ -13,9 +13,10 @@ SubsteppedIntegrator::SubsteppedIntegrator(StructuralModel& model, const TimeSch
     : model_(model), integrator_(model, scheme, newton, startTime), nSubsteps_(nSubsteps) {
     assert(nSubsteps == 1 || (nSubsteps > 1 && scheme.dynamic));
     if (nSubsteps > 1) {
-        const SparseMatrix mass = model.massMatrix();
-        mass_ = makeLinearSolver(mass, model.fixed(), MatrixKind::positiveDefinite);
-        mass_->factorise(mass);
+        mass_ = model.massMatrix();
+        massSolver_ =
+            makeLinearSolver(mass_, model.fixed(), MatrixKind::positiveDefinite, model.extension());
+        massSolver_->factorise(mass_);
     }
 }
 
@@ -26,6 +27,7 @@ void SubsteppedIntegrator::beginTimeStep(double time, double deltaT) {
     }
     time_ = time;
     deltaT_ = deltaT;
+    integrator_.startSupports(deltaT / nSubsteps_);
     start_ = integrator_.state();
     startEnergies_ = integrator_.energies();
     startForce_ = start_.force - model_.externalForce(start_.time);
@@ -62,8 +64,10 @@ const VectorXd& SubsteppedIntegrator::solve(const VectorXd& interfaceForce) {
 
 // The state under a force that differs from here on: bodies of mass answer at once.
 MotionState SubsteppedIntegrator::afterJump(MotionState state, const VectorXd& forceChange) {
-    state.acceleration += mass_->solve(forceChange);
+    const VectorXd change = massSolver_->solve(forceChange);
+    state.acceleration += change;
     state.force += forceChange;
+    state.reaction += fixedPart(model_.fixed(), mass_ * change - forceChange);
     return state;
 }
 

@@ -71,7 +71,8 @@ class SubsteppedIntegrator {
     StructuralModel& model_;
     TimeIntegrator integrator_;
     const int nSubsteps_;
-    std::unique_ptr<LinearSolver> mass_; ///< factored; none for a single step
+    SparseMatrix mass_;                        ///< none for a single step
+    std::unique_ptr<LinearSolver> massSolver_; ///< none for a single step
 
     bool isUnderWay_ = false; ///< the integrator's state is one between
     MotionState start_;       ///< accepted

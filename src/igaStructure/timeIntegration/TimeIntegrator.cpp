@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/timeIntegration/TimeIntegrator.hpp"
 
+#include "igaStructure/timeIntegration/supportMotion.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,7 +35,8 @@ TimeIntegrator::TimeIntegrator(StructuralModel& model, const TimeScheme& scheme,
       stiffness_(stiffnessAtRest(model)),
       solver_(makeLinearSolver(mass_, model.fixed(),
                                model.hasSymmetricTangent() ? MatrixKind::positiveDefinite
-                                                           : MatrixKind::general)),
+                                                           : MatrixKind::general,
+                               model.extension())),
       internalRounding_(stiffness_, model.size()), inertiaRounding_(roundingOf(mass_)) {
     state_.time = startTime;
     state_.displacement = VectorXd::Zero(model.nUnknowns());
@@ -42,24 +45,61 @@ TimeIntegrator::TimeIntegrator(StructuralModel& model, const TimeScheme& scheme,
     state_.force = model.externalForce(startTime);
     followerForce_ = followerForce(state_.displacement, startTime);
     if (scheme.dynamic) {
-        setInitialAcceleration();
+        requireSupportsAtRest(model, startTime);
+        setInitialAcceleration(VectorXd::Zero(model.nUnknowns()));
     } else if (!model.freeRigidMotions().empty()) {
         throw SolverError("a static analysis needs supports against every rigid motion" +
                           freeMotionsHint());
     }
+    state_.reaction = initialReaction();
 }
 
-void TimeIntegrator::setInitialAcceleration() {
+// @param ofSupports  acceleration, 0 at free unknowns
+void TimeIntegrator::setInitialAcceleration(const VectorXd& ofSupports) {
     solver_->factorise(mass_);
     ++nFactorisations_;
-    state_.acceleration = solver_->solve(state_.force + followerForce_);
+    state_.acceleration = ofSupports;
+    state_.acceleration -= solver_->solve(imbalanceAtStart());
+}
+
+// But for internal forces, that is, for a prestress.
+VectorXd TimeIntegrator::imbalanceAtStart() const {
+    return mass_ * state_.acceleration + dampingForce(state_.velocity) - state_.force -
+           followerForce_;
+}
+
+VectorXd TimeIntegrator::initialReaction() const {
+    VectorXd force = imbalanceAtStart();
+    if (!model_.isLinear()) {
+        force += model_.internalForce(state_.displacement).force;
+    }
+    return fixedPart(model_.fixed(), std::move(force));
+}
+
+void TimeIntegrator::startSupports(double deltaT) {
+    if (!isAtStart_) {
+        return;
+    }
+    isAtStart_ = false;
+    if (!scheme_.dynamic || !model_.hasPrescribedMotion()) {
+        return;
+    }
+    constexpr double part = 0.03; // differences are exact to digits, and far from rounding
+    const SupportRates rates = supportRates(model_, state_.time, part * deltaT);
+    state_.velocity = rates.velocity;
+    setInitialAcceleration(rates.acceleration);
+    state_.reaction = initialReaction();
+    energies_.kinetic = 0.5 * state_.velocity.dot(mass_ * state_.velocity);
+    energies_.externalWork = energies_.kinetic;
 }
 
 void TimeIntegrator::beginTimeStep(double time, double deltaT) {
     assert(deltaT > 0);
+    startSupports(deltaT);
     time_ = time;
     deltaT_ = deltaT;
     displacement_ = state_.displacement;
+    reaction_.resize(0);
 }
 
 const VectorXd& TimeIntegrator::solve(const VectorXd& interfaceForce) {
@@ -83,11 +123,12 @@ const VectorXd& TimeIntegrator::solve(const VectorXd& interfaceForce) {
 // Forces at the end of the step enter the balance with the factor 1 - alphaF.
 VectorXd TimeIntegrator::requiredForce(const VectorXd& displacement) {
     force_ = model_.externalForce(time_);
-    return balance(displacement).residual / (scheme_.alphaF - 1);
+    return balance(asSupported(model_, displacement, time_)).residual / (scheme_.alphaF - 1);
 }
 
 void TimeIntegrator::linearise(const VectorXd& displacement) {
-    displacement_ = displacement;
+    displacement_ = asSupported(model_, displacement, time_);
+    reaction_.resize(0);
     linearisedAt_.reset();
     if (!model_.isLinear()) {
         renewTangent();
@@ -108,6 +149,9 @@ void TimeIntegrator::acceptTimeStep() {
     next.acceleration = accelerationFor(displacement_);
     next.velocity = velocityFor(next.acceleration);
     next.force = force_;
+    // Reactions enter the balance as other forces do, old ones with the factor alphaF.
+    const VectorXd reaction = reaction_.size() > 0 ? reaction_ : balance(displacement_).reaction;
+    next.reaction = (reaction - scheme_.alphaF * state_.reaction) / (1 - scheme_.alphaF);
     updateEnergies(next);
     state_ = std::move(next);
 }
@@ -119,6 +163,7 @@ void TimeIntegrator::rejectTimeStep() {
 
 void TimeIntegrator::goBack(const MotionState& state, const Energies& energies) {
     assert(state.displacement.size() == model_.nUnknowns());
+    isAtStart_ = false;
     state_ = state;
     energies_ = energies;
     followerForce_ = followerForce(state_.displacement, state_.time);
@@ -199,6 +244,7 @@ TimeIntegrator::Balance TimeIntegrator::balance(const VectorXd& displacement) co
         balance.rounding += inertiaRounding_ * displacement.lpNorm<Eigen::Infinity>() /
                             (scheme_.beta * deltaT_ * deltaT_);
     }
+    balance.reaction = fixedPart(model_.fixed(), -balance.residual);
     setFixedToZero(model_.fixed(), balance.residual);
     return balance;
 }
@@ -244,8 +290,10 @@ bool TimeIntegrator::isFactoredForStep() const {
 void TimeIntegrator::solveLinear() {
     linearise(displacement_);
     // From the old state: the solution must not depend on earlier solves.
-    displacement_ = state_.displacement + solver_->solve(balance(state_.displacement).residual);
-    const Balance end = balance(displacement_);
+    const VectorXd start = asSupported(model_, state_.displacement, time_);
+    displacement_ = start + solver_->solve(balance(start).residual);
+    Balance end = balance(displacement_);
+    reaction_ = std::move(end.reaction);
     residuals_.push_back(end.residual.norm() / end.scale);
     nIterations_ = 1;
     if (!displacement_.allFinite()) {
@@ -288,15 +336,22 @@ void TimeIntegrator::solveNonlinear() {
 }
 
 void TimeIntegrator::findBalance() {
-    Balance current = balance(displacement_);
     linearisedAt_.reset();
-    for (nIterations_ = 0; nIterations_ < newton_.maxIterations; ++nIterations_) {
+    const VectorXd motion = asSupported(model_, displacement_, time_) - displacement_;
+    nIterations_ = 0;
+    if (!motion.isZero(0)) {
+        moveSupports(motion);
+        ++nIterations_;
+    }
+    Balance current = balance(displacement_);
+    for (; nIterations_ < newton_.maxIterations; ++nIterations_) {
         residuals_.push_back(current.residual.norm() / current.scale);
         if (!std::isfinite(residuals_.back())) {
             throwNotConverged("the residual is not finite");
         }
         // No iteration gets below rounding error.
         if (residuals_.back() <= newton_.tolerance || current.residual.norm() <= current.rounding) {
+            reaction_ = std::move(current.reaction);
             return;
         }
         Balance next = iterate(current);
@@ -304,6 +359,16 @@ void TimeIntegrator::findBalance() {
         current = std::move(next);
     }
     throwNotConverged("Newton's method did not converge");
+}
+
+// The whole structure follows its supports as its tangent has it, without which a layer of
+// elements would take all of their motion.
+void TimeIntegrator::moveSupports(const VectorXd& motion) {
+    const VectorXd residual = balance(displacement_).residual;
+    if (!(tangentServes_ && isFactoredForStep())) {
+        renewTangent();
+    }
+    displacement_ += motion + solver_->solve(residual - tangent_ * motion);
 }
 
 TimeIntegrator::Balance TimeIntegrator::iterate(const Balance& current) {
@@ -368,8 +433,8 @@ void TimeIntegrator::updateEnergies(const MotionState& next) {
     energies_.kinetic = 0.5 * next.velocity.dot(mass_ * next.velocity);
     energies_.strain = model_.strainEnergy(next.displacement);
     const VectorXd followerForce = this->followerForce(next.displacement, next.time);
-    energies_.externalWork +=
-        0.5 * motion.dot(next.force + state_.force + followerForce + followerForce_);
+    energies_.externalWork += 0.5 * motion.dot(next.force + state_.force + followerForce +
+                                               followerForce_ + next.reaction + state_.reaction);
     followerForce_ = followerForce;
     energies_.dampingWork +=
         0.5 * motion.dot(dampingForce(next.velocity) + dampingForce(state_.velocity));

@@ -23,12 +23,19 @@ namespace tokay::structure {
 class TimeIntegrator {
   public:
     /// Starts at rest, undeformed; the acceleration at the start balances the
-    /// model's own loads.
+    /// model's own loads. Supports whose motion begins with a velocity have it at the
+    /// start, as after an impact that moves nothing else; its work is their kinetic energy.
     /// @param model  is kept by reference
     /// @throws SolverError if the supports of a static analysis leave rigid
     ///         motions free: names them
+    /// @throws InputError if supports of a dynamic one are displaced at the start
     TimeIntegrator(StructuralModel& model, const TimeScheme& scheme, const NewtonOptions& newton,
                    double startTime);
+
+    /// Before the first step from rest: gives supports that move their velocity and
+    /// acceleration, whose formulas say them by differences over a part of the step.
+    /// @param deltaT  of the step [s]
+    void startSupports(double deltaT);
 
     /// @param time    at the end of the step [s]
     /// @param deltaT  [s]
@@ -36,7 +43,10 @@ class TimeIntegrator {
 
     /// The next solve() begins its iteration at this displacement at the end of the
     /// step, in place of the accepted one. A linear structure does not look at it.
-    void startFrom(const Eigen::VectorXd& displacement) { displacement_ = displacement; }
+    void startFrom(const Eigen::VectorXd& displacement) {
+        displacement_ = displacement;
+        reaction_.resize(0);
+    }
 
     /// Displacement at the end of the step.
     /// @param interfaceForce  on the unknowns at the end of the step, beside
@@ -46,7 +56,8 @@ class TimeIntegrator {
 
     /// For whoever solves the step's equations together with others: the
     /// interface force that would hold the structure at a displacement at the
-    /// end of the step, 0 where it is fixed [N].
+    /// end of the step, 0 where it is fixed [N]. Fixed and dependent unknowns are taken
+    /// as supports have them, here and in linearise().
     Eigen::VectorXd requiredForce(const Eigen::VectorXd& displacement);
 
     /// Factors the derivative of requiredForce() at a displacement, where the
@@ -95,6 +106,7 @@ class TimeIntegrator {
     // Balance of forces for a displacement at the end of the step.
     struct Balance {
         Eigen::VectorXd residual; ///< external - inertia - damping - internal, 0 where fixed
+        Eigen::VectorXd reaction; ///< what it would be where fixed, with the other sign
         double scale = 0;         ///< largest norm of its terms
         double rounding = 0;      ///< no residual gets smaller
         double smallestVolumeRatio = 1;
@@ -110,7 +122,10 @@ class TimeIntegrator {
     bool isFactoredForStep() const;
     void renewTangent();
     void factorise();
-    void setInitialAcceleration();
+    Eigen::VectorXd imbalanceAtStart() const;
+    Eigen::VectorXd initialReaction() const;
+    void setInitialAcceleration(const Eigen::VectorXd& ofSupports);
+    void moveSupports(const Eigen::VectorXd& motion);
     void solveLinear();
     void solveNonlinear();
     void findBalance();
@@ -135,12 +150,15 @@ class TimeIntegrator {
     Eigen::VectorXd followerForce_; ///< at the state
     Energies energies_;
 
+    bool isAtStart_ = true; ///< supports have no rates yet
     double time_ = 0;
     double deltaT_ = 0;
     double factoredDeltaT_ = 0;    ///< 0: the factorisation is none of a step
     bool tangentServes_ = false;   ///< the last iteration contracted enough
     Eigen::VectorXd force_;        ///< at the end of the step
     Eigen::VectorXd displacement_; ///< latest iterate at the end of the step
+    /// Reactions in the balance of the latest iterate; empty: not known.
+    Eigen::VectorXd reaction_;
     /// Displacement whose tangent led to the latest iterate, for mixed stresses.
     std::optional<Eigen::VectorXd> linearisedAt_;
     bool mixesStresses_ = false; ///< in this attempt

@@ -73,11 +73,18 @@ struct Modes {
     MatrixXd shapes;
 };
 
+// Of unknowns that depend on others, the part in the energy of these (Galerkin).
+SparseMatrix ofFree(const StructuralModel& model, SparseMatrix matrix) {
+    const SparseMatrix* extension = model.extension();
+    return extension ? SparseMatrix(extension->transpose() * matrix * *extension) : matrix;
+}
+
 /// The lowest modes of a structure, by Lanczos' method on the shifted inverse.
 class ModeFinder {
   public:
     explicit ModeFinder(const StructuralModel& model)
-        : mass_(model.massMatrix()), stiffness_(stiffnessAtRest(model)),
+        : mass_(ofFree(model, model.massMatrix())),
+          stiffness_(ofFree(model, stiffnessAtRest(model))),
           inverse_(stiffness_, mass_, model.fixed()), massProduct_(mass_),
           nFree_(static_cast<int>(std::count(model.fixed().begin(), model.fixed().end(), false))) {
         // With rigid motions free, K - shift M is positive definite for a negative shift
@@ -166,7 +173,8 @@ NaturalModes naturalModes(const StructuralModel& model, int count) {
                                      count, finder.nFree()));
     }
     const Modes modes = finder.find(count);
-    return {modes.squares.cwiseMax(0).cwiseSqrt(), modes.shapes};
+    return {modes.squares.cwiseMax(0).cwiseSqrt(),
+            model.extension() ? *model.extension() * modes.shapes : modes.shapes};
 }
 
 } // namespace tokay::structure

@@ -35,6 +35,7 @@ SavedState exampleState(double time) {
     state.motion.velocity = -state.motion.displacement;
     state.motion.acceleration = 1e-300 * state.motion.displacement;
     state.motion.force = 1e30 * state.motion.displacement;
+    state.motion.reaction = -2 * state.motion.force;
     state.energies = {1, 2, 3, 4};
     state.interface = Eigen::VectorXd::LinSpaced(9, -1, 0.3).reshaped(3, 3);
     state.interfaceDisplacement = Eigen::VectorXd::LinSpaced(6, 1e-3, 1);
@@ -50,6 +51,7 @@ void expectEqual(const SavedState& a, const SavedState& b) {
     EXPECT_EQ(a.motion.velocity, b.motion.velocity);
     EXPECT_EQ(a.motion.acceleration, b.motion.acceleration);
     EXPECT_EQ(a.motion.force, b.motion.force);
+    EXPECT_EQ(a.motion.reaction, b.motion.reaction);
     EXPECT_EQ(a.energies.kinetic, b.energies.kinetic);
     EXPECT_EQ(a.energies.strain, b.energies.strain);
     EXPECT_EQ(a.energies.externalWork, b.energies.externalWork);
@@ -87,7 +89,7 @@ TEST(SavedState, that_is_cut_off_anywhere_is_refused_with_its_name) {
 TEST(SavedState, of_another_version_is_refused) {
     std::vector<std::uint8_t> bytes = encodeState(exampleState(0.1));
     bytes[14] = 9; // after the length and the ten letters of the magic
-    EXPECT_THAT(errorOf(bytes), HasSubstr("its version is 9, this program reads version 3"));
+    EXPECT_THAT(errorOf(bytes), HasSubstr("its version is 9, this program reads version 4"));
 }
 
 TEST(SavedState, of_which_any_byte_has_changed_is_refused) {

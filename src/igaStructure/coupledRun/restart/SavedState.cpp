@@ -18,7 +18,7 @@ using coupling::StateWriter;
 namespace {
 
 const std::string magic = "TokayState";
-constexpr int stateVersion = 3;
+constexpr int stateVersion = 4;
 
 constexpr std::size_t checksumSize = sizeof(std::uint32_t);
 
@@ -41,10 +41,11 @@ void requireWhole(const std::vector<std::uint8_t>& bytes) {
 }
 
 void requireOneSize(const MotionState& motion) {
-    for (const auto* vector : {&motion.velocity, &motion.acceleration, &motion.force}) {
+    for (const auto* vector :
+         {&motion.velocity, &motion.acceleration, &motion.force, &motion.reaction}) {
         if (vector->size() != motion.displacement.size()) {
-            throw channel::PeerError("its displacement, velocity, acceleration and force have "
-                                     "different lengths");
+            throw channel::PeerError("its displacement, velocity, acceleration, force and reaction "
+                                     "have different lengths");
         }
     }
 }
@@ -58,8 +59,9 @@ std::vector<std::uint8_t> encodeState(const SavedState& state) {
     write.integer(stateVersion);
     write.number(state.motion.time);
     write.text(state.digest);
-    for (const auto* vector : {&state.motion.displacement, &state.motion.velocity,
-                               &state.motion.acceleration, &state.motion.force}) {
+    for (const auto* vector :
+         {&state.motion.displacement, &state.motion.velocity, &state.motion.acceleration,
+          &state.motion.force, &state.motion.reaction}) {
         write.matrix(*vector);
     }
     for (const double energy : {state.energies.kinetic, state.energies.strain,
@@ -86,7 +88,7 @@ SavedState readState(const std::vector<std::uint8_t>& bytes) {
     state.motion.time = read.number();
     state.digest = read.text();
     for (auto* vector : {&state.motion.displacement, &state.motion.velocity,
-                         &state.motion.acceleration, &state.motion.force}) {
+                         &state.motion.acceleration, &state.motion.force, &state.motion.reaction}) {
         *vector = read.vector();
     }
     requireOneSize(state.motion);
