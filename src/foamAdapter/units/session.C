@@ -8,6 +8,7 @@
 #include "restartFiles.C"
 #include "controlAdvice.C"
 #include "enclosedFluid.C"
+#include "phaseClock.C"
 #include "stepController.C"
 #include "stepTables.C"
 #include "invertedCells.C"

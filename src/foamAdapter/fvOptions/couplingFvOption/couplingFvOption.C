@@ -32,6 +32,14 @@ Foam::dictionary optionDict()
 
 } // End anonymous namespace
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::couplingSession& Foam::fv::couplingFvOption::session() const
+{
+    return mesh_.lookupObjectRef<couplingSession>(sessionName_);
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fv::couplingFvOption::couplingFvOption
@@ -50,10 +58,26 @@ Foam::fv::couplingFvOption::couplingFvOption
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::fv::couplingFvOption::addSup(fvMatrix<vector>&, const label)
+{
+    session().beginMomentum();
+}
+
+
+void Foam::fv::couplingFvOption::addSup
+(
+    const volScalarField&,
+    fvMatrix<vector>&,
+    const label
+)
+{
+    session().beginMomentum();
+}
+
+
 void Foam::fv::couplingFvOption::correct(volVectorField&)
 {
-    mesh_.lookupObjectRef<couplingSession>(sessionName_)
-        .endVelocityCorrection();
+    session().endVelocityCorrection();
 }
 
 

@@ -19,6 +19,7 @@ namespace Foam
 void Foam::couplingSession::beginTimeStep()
 {
     step_.begin();
+    step_.current().phases.enter(phaseClock::phase::coupling);
     hasEnded_ = false;
     residual_.reportChanges();
     audited_ = false;
@@ -43,6 +44,16 @@ void Foam::couplingSession::beginTimeStep()
     );
     nextDisplacement_ = displacement_;
     step_.current().structureSeconds += stepController::wallClock() - start;
+}
+
+
+void Foam::couplingSession::endMeshMotion(const string& invertedCells)
+{
+    step_.current().phases.enter(phaseClock::phase::fluxes);
+    if (!invertedCells.empty())
+    {
+        step_.failMesh(invertedCells);
+    }
 }
 
 
@@ -374,7 +385,7 @@ Foam::couplingSession::couplingSession
     (
         registryName(name) + "InvertedCells",
         mesh,
-        [this](const string& cells){ step_.failMesh(cells); }
+        [this](const string& cells){ endMeshMotion(cells); }
     ),
     corrector_(0),
     coupledCorrector_(0)
@@ -443,6 +454,7 @@ const Foam::vectorField& Foam::couplingSession::displacement
     }
     // An explicit coupling may have its mesh moved before the loop
     corrector_ = max(pimple_.corr(), label(1));
+    step_.current().phases.enter(phaseClock::phase::mesh);
     rates_.keepNew();
     pressureTolerance_.beginCorrector
     (
@@ -453,10 +465,23 @@ const Foam::vectorField& Foam::couplingSession::displacement
 }
 
 
+void Foam::couplingSession::beginMomentum()
+{
+    step_.current().phases.enter
+    (
+        pimple_.momentumPredictor()
+      ? phaseClock::phase::momentum
+      : phaseClock::phase::pressure
+    );
+}
+
+
 void Foam::couplingSession::endVelocityCorrection()
 {
+    step_.current().phases.enter(phaseClock::phase::coupling);
+    const bool isLast = pimple_.corrPISO() == pimple_.nCorrPISO();
     rates_.keepNew();
-    if (pimple_.corrPISO() == pimple_.nCorrPISO())
+    if (isLast)
     {
         endOuterCorrector();
     }
@@ -464,6 +489,10 @@ void Foam::couplingSession::endVelocityCorrection()
     {
         force_.endPressureCorrector();
     }
+    step_.current().phases.enter
+    (
+        isLast ? phaseClock::phase::other : phaseClock::phase::pressure
+    );
 }
 
 

@@ -81,6 +81,7 @@ bool Foam::invertedCells::movePoints()
     const label nCells = returnReduce(cells.size(), sumOp<label>());
     if (nCells == 0)
     {
+        report_(string());
         return true;
     }
     List<string> named(Pstream::nProcs());

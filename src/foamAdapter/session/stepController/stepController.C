@@ -159,6 +159,7 @@ const Foam::stepController::statistics& Foam::stepController::end()
     }
     accepted_ = false;
     current_.stepSeconds = wallClock() - start_;
+    current_.phases.enter(phaseClock::phase::other);
     if (retry_.valid())
     {
         retry_->endTimeStep();

@@ -2,6 +2,27 @@
 #include "stepTables.H"
 #include "Pstream.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Columns of coupling.dat besides the time
+Foam::wordList couplingColumns()
+{
+    Foam::wordList columns
+    ({
+        "deltaT[s]", "outerCorrectors", "couplingIterations",
+        "couplingResidual", "momentumResidual", "converged", "step[s]",
+        "force[s]", "structure[s]"
+    });
+    columns.append(Foam::phaseClock::columns());
+    return columns;
+}
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::stepTables::table::table
@@ -58,11 +79,7 @@ Foam::stepTables::stepTables
         mesh,
         dict,
         "Coupling of ",
-        {
-            "deltaT[s]", "outerCorrectors", "couplingIterations",
-            "couplingResidual", "momentumResidual", "converged", "step[s]",
-            "force[s]", "structure[s]"
-        }
+        couplingColumns()
     )
 {}
 
@@ -75,12 +92,17 @@ void Foam::stepTables::write(const stepController::statistics& step)
     {
         return;
     }
-    coupling_.beginRow()
-        << tab << step.deltaT << tab << step.outerCorrectors
+    Ostream& os = coupling_.beginRow();
+    os  << tab << step.deltaT << tab << step.outerCorrectors
         << tab << step.couplingIterations << tab << step.residual
         << tab << step.fluidResidual << tab << step.converged
         << tab << step.stepSeconds << tab << step.forceSeconds
-        << tab << step.structureSeconds << endl;
+        << tab << step.structureSeconds;
+    for (const scalar seconds : step.phases.seconds())
+    {
+        os  << tab << seconds;
+    }
+    os  << endl;
 }
 
 
