@@ -77,6 +77,7 @@ tightenSolvers()
     entry system/fvSolution PIMPLE.nOuterCorrectors 15
     entry system/fvSolution PIMPLE.residualControl.U.tolerance 1e-16
     coupling onUnconverged warn
+    coupling pressureTolerance fixed
 }
 
 # decompose RANKS: along x
@@ -182,7 +183,7 @@ turnToYz()
 # useLaplacian: OpenFOAM's mesh motion, converged
 useLaplacian()
 {
-    sed -i 's/harmonicBasis/displacementLaplacian/; s/tokayFoamAdapter/fvMotionSolvers/' constant/dynamicMeshDict
+    sed -i 's/harmonicBasis/displacementLaplacian/; s/tokayFoamAdapter/fvMotionSolvers/; s/coupledMotion/dynamicMotion/' constant/dynamicMeshDict
     entry constant/dynamicMeshDict displacementLaplacianCoeffs.diffusivity 'quadratic inverseDistance (flap)'
     sed -i '/^solvers/,/^{/ s|^{|{ "cellDisplacement.*" { solver PCG; preconditioner DIC; tolerance 1e-8; relTol 0; minIter 300; }|' \
         system/fvSolution

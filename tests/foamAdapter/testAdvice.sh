@@ -77,6 +77,20 @@ consistent()
     expectText log.pimpleFoam "2 nu deltaT/h^2 with a cell's longest extent h, is 7.2" "add 'consistent yes;', or reduce deltaT by 1.44"
 }
 
+property correctPhi "a flux that is corrected in each outer corrector is warned of, also where that is the default"
+correctPhi()
+{
+    makeCase fluid
+    entry system/controlDict endTime 0.01
+    removeEntry system/fvSolution PIMPLE.correctPhi
+    runFluid
+    expectText log.pimpleFoam "'correctPhi' is on" "write 'correctPhi no;'" "Solving for pcorr"
+    rm -rf 0.* postProcessing
+    entry system/fvSolution PIMPLE.correctPhi no
+    runFluid
+    expectNoText log.pimpleFoam "'correctPhi' is on"
+}
+
 property standardEntries "entries that any function object has are known"
 standardEntries()
 {

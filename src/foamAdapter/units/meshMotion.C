@@ -10,3 +10,4 @@
 #include "motionFallback.C"
 #include "motionConstraints.C"
 #include "movingBoundary.C"
+#include "coupledMotionSolverFvMesh.C"

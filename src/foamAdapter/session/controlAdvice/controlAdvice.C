@@ -217,6 +217,29 @@ void adviseConsistent(const fvMesh& mesh, const pimpleControl& pimple)
 }
 
 
+//- A flux that is corrected in each outer corrector, which only one that ends
+//  the time step would need. Two-phase solvers transport a phase with it before
+//  the pressure corrects it
+void adviseFlux(const fvMesh& mesh, const pimpleControl& pimple)
+{
+    const dictionary controls(pimple.dict());
+    if
+    (
+        mesh.foundObject<volScalarField>("p_rgh")
+     || !controls.lookupOrDefault("correctPhi", true)
+    )
+    {
+        return;
+    }
+    IOWarningInFunction(controls)
+        << "'correctPhi' is on, as it is if not given: a pressure equation "
+        << "more in each outer corrector, up to half of the fluid's time, "
+        << "for a flux that the outer corrector computes anyway; in the final "
+        << "one, where the mesh stays, it changes nothing" << nl
+        << "    write 'correctPhi no;'" << endl;
+}
+
+
 //- Whether an entry of the structure's report has a positive value
 bool isPositive(const string& report, const std::string& entryName)
 {
@@ -241,6 +264,7 @@ void Foam::controlAdvice::report
     advisePressure(mesh, pimple);
     adviseMotion(mesh);
     adviseConsistent(mesh, pimple);
+    adviseFlux(mesh, pimple);
 }
 
 

@@ -31,7 +31,10 @@ Foam::pressureTolerance::choice Foam::pressureTolerance::readChoice
 {
     const word name
     (
-        dict.getOrDefault<word>("pressureTolerance", choiceNames[choice::fixed])
+        dict.getOrDefault<word>
+        (
+            "pressureTolerance", choiceNames[choice::relaxed]
+        )
     );
     if (!choiceNames.found(name))
     {
