@@ -3,6 +3,7 @@
 
 #include "common/errors.hpp"
 #include "igaStructure/assembly/SparseMatrix.hpp"
+#include "igaStructure/assembly/SupportLoad.hpp"
 
 #include <Eigen/Core>
 
@@ -119,6 +120,36 @@ class StructuralModel {
     /// unknowns only, so that the matrix to solve, the free rows of K E, is not symmetric
     /// (Petrov-Galerkin). None: fixed unknowns depend on no other.
     virtual const SparseMatrix* extension() const { return nullptr; }
+
+    /// What the motion of supports that hold weakly adds to internal forces and strain
+    /// energy, which are those of supports at rest without it.
+    struct SupportShift {
+        Eigen::VectorXd force; ///< whatever the displacement; empty: no such support [N]
+        double energy = 0;     ///< beside force . displacement [J]
+        double largest = 0;    ///< of their displacements [m]
+
+        void addTo(Eigen::VectorXd& internal) const {
+            if (force.size() > 0) {
+                internal += force;
+            }
+        }
+        double energyAt(const Eigen::VectorXd& displacement) const {
+            return energy + (force.size() > 0 ? force.dot(displacement) : 0);
+        }
+    };
+    virtual SupportShift supportShift(double /*time*/) const { return {}; }
+
+    /// Names of the supports, in the order of the case file.
+    virtual std::vector<std::string> supportNames() const { return {}; }
+
+    /// What each support acts with on the body, at the current positions of a structure
+    /// with nonlinear strains, else at the reference ones. What several hold counts for the first.
+    /// @param reaction  of fixed unknowns (MotionState::reaction) [N]
+    virtual std::vector<SupportLoad> supportLoads(const Eigen::VectorXd& /*displacement*/,
+                                                  const Eigen::VectorXd& /*reaction*/,
+                                                  double /*time*/) const {
+        return {};
+    }
 
     /// Motions without strain that the supports leave free, in words.
     virtual std::vector<std::string> freeRigidMotions() const = 0;

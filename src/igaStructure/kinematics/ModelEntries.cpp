@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/kinematics/ModelEntries.hpp"
 
+#include <fmt/format.h>
+
 namespace tokay::structure {
 
 namespace {
@@ -69,6 +71,26 @@ const Choices<Fixed>& componentsAndRotation() {
     static const Choices<Fixed> choices = {
         {"x", Fixed::x}, {"y", Fixed::y}, {"z", Fixed::z}, {"rotation", Fixed::rotation}};
     return choices;
+}
+
+SupportMotion supportMotion(const Located& support, const std::vector<Formula>& displacement,
+                            const std::vector<bool>& fixed) {
+    const auto isZero = [](const Formula& f) {
+        return !f.dependsOnTime() && !f.dependsOnPlace() && f({0, 0, 0}, 0) == 0;
+    };
+    std::array<Formula, 3> all;
+    bool isAtRest = true;
+    for (std::size_t c = 0; c < displacement.size(); ++c) {
+        if (!fixed[c] && !isZero(displacement[c])) {
+            throw support.error("displacement",
+                                fmt::format("has the formula '{}' for {}, which is not in fix and "
+                                            "so is free: add it to fix, or give 0 here",
+                                            displacement[c].text(), "xyz"[c]));
+        }
+        isAtRest = isAtRest && isZero(displacement[c]);
+        all[c] = displacement[c];
+    }
+    return isAtRest ? nullptr : std::make_shared<const VectorField>(vectorField(all));
 }
 
 VectorField vectorField(const std::array<Formula, 3>& f) {

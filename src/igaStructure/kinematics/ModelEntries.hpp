@@ -5,6 +5,7 @@
 #include "common/Schema.hpp"
 #include "igaStructure/assembly/ElasticMaterial.hpp"
 #include "igaStructure/assembly/Field.hpp"
+#include "igaStructure/assembly/SupportTrace.hpp"
 
 #include <algorithm>
 #include <array>
@@ -78,6 +79,29 @@ std::array<bool, nComponents> fixedComponents(const std::vector<Fixed>& fix) {
         fixed[c] = std::find(fix.begin(), fix.end(), static_cast<Fixed>(c)) != fix.end();
     }
     return fixed;
+}
+
+constexpr auto supportDisplacementMeaning =
+    "Displacement there of the components in `fix`, along all axes; 0 for a component that is not "
+    "in `fix`. The body follows it exactly where its basis can, else as closely. Time integration "
+    "makes velocity and acceleration of it.";
+
+/// The motion that an entry `displacement` prescribes; none: at rest.
+/// @param support  for messages
+/// @param fixed    components that the support holds
+/// @throws InputError if another component has a formula
+SupportMotion supportMotion(const Located& support, const std::vector<Formula>& displacement,
+                            const std::vector<bool>& fixed);
+
+/// @param displacement  an optional list of formulas
+template <class Displacement, std::size_t nComponents>
+SupportMotion supportMotion(const Located& support, const Displacement& displacement,
+                            const std::array<bool, nComponents>& fixed) {
+    if (!displacement) {
+        return nullptr;
+    }
+    return supportMotion(support, std::vector<Formula>(displacement->begin(), displacement->end()),
+                         std::vector<bool>(fixed.begin(), fixed.end()));
 }
 
 /// Fields of place and time.

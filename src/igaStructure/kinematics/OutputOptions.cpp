@@ -40,7 +40,11 @@ const SchemaOf<OutputOptions>& OutputOptions::schema() {
         {"watchPoints", &OutputOptions::watchPoints,
          "Points whose displacement is tabulated in each time step; the first one is shown in the "
          "log.",
-         otherwise("`[]`")}};
+         otherwise("`[]`")},
+        {"reactionsAbout", &OutputOptions::reactionsAbout, "", "m",
+         "Tabulates in each time step the force and the moment about this point by which each "
+         "support acts on the body (reactions.dat).",
+         otherwise("no table")}};
     return schema;
 }
 

@@ -4,6 +4,7 @@
 #include "common/Schema.hpp"
 #include "geometry/spline/Points.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,7 @@ struct OutputOptions {
     CellShape cells = CellShape::quads;
     int subdivision = 4;
     std::vector<WatchPoint> watchPoints;
+    std::optional<Coordinates> reactionsAbout;
 
     static const SchemaOf<OutputOptions>& schema();
 

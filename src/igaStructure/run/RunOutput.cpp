@@ -27,6 +27,12 @@ std::vector<std::string> withTime(const std::vector<std::string>& columns) {
     return result;
 }
 
+std::vector<double> withTime(double time, const std::vector<double>& values) {
+    std::vector<double> row = {time};
+    row.insert(row.end(), values.begin(), values.end());
+    return row;
+}
+
 std::string duration(double seconds) {
     const auto whole = std::llround(seconds);
     if (whole >= 3600) {
@@ -42,8 +48,11 @@ RunOutput::RunOutput(const Case& structureCase, const Body& body, const MotionSt
                      double endTime, Report report)
     : lock_(structureCase.output.directory, structureCase.name, report),
       watch_(body, structureCase.output.watchPoints),
+      reactions_(body, structureCase.output.reactionsAbout),
       results_(body, structureCase.output, structureCase.name, start),
       watchTable_(tablePath(structureCase, start.time, "watchPoints"), withTime(watch_.columns())),
+      reactionTable_(tablePath(structureCase, start.time, "reactions"),
+                     withTime(reactions_.names())),
       iterationTable_(tablePath(structureCase, start.time, "iterations"),
                       {"time[s]", "exchanges", "firstResidual", "lastResidual", "columns",
                        "newtonIterations", "total[s]", "waiting[s]", "mapping[s]", "solving[s]",
@@ -72,10 +81,10 @@ void RunOutput::finishStep(const StepReport& step, const MotionState& state,
 void RunOutput::writeTables(const StepReport& step, const MotionState& state,
                             const Energies& energies, const PhaseTimer& timer, double seconds) {
     if (!watch_.isEmpty()) {
-        std::vector<double> row = {state.time};
-        const std::vector<double> values = watch_.values(state.displacement);
-        row.insert(row.end(), values.begin(), values.end());
-        watchTable_.addRow(row);
+        watchTable_.addRow(withTime(state.time, watch_.values(state.displacement)));
+    }
+    if (!reactions_.isEmpty()) {
+        reactionTable_.addRow(withTime(state.time, reactions_.values(state)));
     }
     iterationTable_.addRow({state.time, static_cast<double>(step.nExchanges), step.firstResidual,
                             step.lastResidual, static_cast<double>(step.nColumns),

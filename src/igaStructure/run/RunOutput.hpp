@@ -2,6 +2,7 @@
 #pragma once
 
 #include "igaStructure/case/Case.hpp"
+#include "igaStructure/kinematics/ReactionColumns.hpp"
 #include "igaStructure/output/ResultTable.hpp"
 #include "igaStructure/run/PhaseTimer.hpp"
 #include "igaStructure/run/ResultSeries.hpp"
@@ -39,8 +40,10 @@ class RunOutput {
 
     ResultsLock lock_;
     Watch watch_;
+    ReactionColumns reactions_;
     ResultSeries results_;
     ResultTable watchTable_;
+    ResultTable reactionTable_;
     ResultTable iterationTable_;
     ResultTable energyTable_;
     double startTime_;

@@ -139,7 +139,9 @@ double staticEstimate(const Case& structureCase, StructuralModel& model) {
         makeLinearSolver(stiffness, model.fixed(), MatrixKind::general, model.extension());
     solver->factorise(stiffness);
     const VectorXd start = asSupported(model, VectorXd::Zero(model.nUnknowns()), time);
-    const VectorXd rest = solver->solve(loadsAtRest(model, time) - stiffness * start);
+    VectorXd internal = stiffness * start;
+    model.supportShift(time).addTo(internal);
+    const VectorXd rest = solver->solve(loadsAtRest(model, time) - internal);
     return (start + rest).lpNorm<Eigen::Infinity>();
 }
 

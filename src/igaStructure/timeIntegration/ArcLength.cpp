@@ -53,11 +53,16 @@ VectorXd ArcLength::force(const Iterate& at) const {
     return force;
 }
 
+StructuralModel::Internal ArcLength::internalForce(const Iterate& at) const {
+    StructuralModel::Internal internal = model_.internalForce(at.displacement);
+    model_.supportShift(at.time).addTo(internal.force);
+    return internal;
+}
+
 // What is out of balance, reactions being those that fixed unknowns leave.
 VectorXd ArcLength::forceAndReaction(const Iterate& at) {
-    VectorXd force = this->force(at);
-    state_.reaction =
-        fixedPart(model_.fixed(), model_.internalForce(at.displacement).force - force);
+    const VectorXd force = this->force(at);
+    state_.reaction = fixedPart(model_.fixed(), internalForce(at).force - force);
     return force + state_.reaction;
 }
 
@@ -71,8 +76,12 @@ ArcLength::Rates ArcLength::ratesInTime(const Iterate& at) const {
     const double before = within(at.time - h);
     const double after = within(at.time + h);
     const double between = after - before;
-    return {(force({at.displacement, after}) - force({at.displacement, before})) / between,
-            (model_.prescribed(after) - model_.prescribed(before)) / between};
+    VectorXd change = force({at.displacement, after}) - force({at.displacement, before});
+    const StructuralModel::SupportShift shift = model_.supportShift(before);
+    if (shift.force.size() > 0) {
+        change -= model_.supportShift(after).force - shift.force;
+    }
+    return {change / between, (model_.prescribed(after) - model_.prescribed(before)) / between};
 }
 
 // Of the equilibrium, in time, with the factored tangent.
@@ -131,7 +140,7 @@ bool ArcLength::converge(Iterate& iterate, std::optional<double> arc) {
             return false;
         }
         const VectorXd external = force(iterate);
-        const StructuralModel::Internal internal = model_.internalForce(iterate.displacement);
+        const StructuralModel::Internal internal = internalForce(iterate);
         VectorXd residual = external - internal.force;
         setFixedToZero(model_.fixed(), residual);
         residual_ = residual.norm() / std::max(external.norm(), internal.force.norm());
@@ -221,6 +230,9 @@ void ArcLength::accept(const Iterate& iterate) {
     direction_ = iterate.displacement - state_.displacement;
     lastArc_ = direction_.norm();
     const VectorXd force = forceAndReaction(iterate);
+    const VectorXd middle = 0.5 * (iterate.displacement + state_.displacement);
+    externalWork_ += model_.supportShift(iterate.time).energyAt(middle) -
+                     model_.supportShift(state_.time).energyAt(middle);
     externalWork_ += 0.5 * direction_.dot(force + totalForce_);
     totalForce_ = force;
     state_.displacement = iterate.displacement;

@@ -42,7 +42,8 @@ class ArcLength : public Stepper {
     /// End of the path so far; velocity and acceleration are zero.
     const MotionState& state() const override { return state_; }
     Energies energies() const override {
-        return {0, model_.strainEnergy(state_.displacement), externalWork_, 0};
+        const double ofSupports = model_.supportShift(state_.time).energyAt(state_.displacement);
+        return {0, model_.strainEnergy(state_.displacement) + ofSupports, externalWork_, 0};
     }
 
   private:
@@ -51,6 +52,7 @@ class ArcLength : public Stepper {
         double time;
     };
     Eigen::VectorXd force(const Iterate& at) const;
+    StructuralModel::Internal internalForce(const Iterate& at) const;
     Eigen::VectorXd forceAndReaction(const Iterate& at);
     /// Rates of change in time, at a displacement.
     struct Rates {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/timeIntegration/ExplicitIntegrator.hpp"
 
-#include "igaStructure/timeIntegration/supportMotion.hpp"
+#include "igaStructure/timeIntegration/supportRates.hpp"
 
 #include <fmt/format.h>
 
@@ -40,6 +40,7 @@ ExplicitIntegrator::ExplicitIntegrator(StructuralModel& model, double startTime)
         vibration_[k] = std::sin(1.0 + 2.9 * static_cast<double>(k)); // has a part of every mode
     }
     totalForce_ = external(startTime);
+    shift_ = model.supportShift(startTime);
     state_.force = model.externalForce(startTime);
     setAcceleration(state_.velocity, VectorXd::Zero(model.nUnknowns()));
 }
@@ -52,7 +53,9 @@ VectorXd ExplicitIntegrator::external(double time) const {
 
 // External - damping - internal.
 VectorXd ExplicitIntegrator::imbalance(const VectorXd& velocity) const {
-    VectorXd force = totalForce_ - model_.internalForce(state_.displacement).force;
+    VectorXd internal = model_.internalForce(state_.displacement).force;
+    shift_.addTo(internal);
+    VectorXd force = totalForce_ - internal;
     if (model_.massDamping() > 0) {
         force -= model_.massDamping() * (mass_ * velocity);
     }
@@ -96,6 +99,10 @@ void ExplicitIntegrator::advancePart(double time, double deltaT) {
     motion += state_.displacement - end;
     state_.time = time;
     totalForce_ = external(time);
+    const VectorXd half = state_.displacement - 0.5 * motion;
+    energies_.externalWork -= shift_.energyAt(half);
+    shift_ = model_.supportShift(time);
+    energies_.externalWork += shift_.energyAt(half);
     const SupportRates rates = supportRates(model_, time, -deltaT);
     setAcceleration(middle, rates.acceleration);
     state_.velocity =
@@ -117,7 +124,8 @@ StepEffort ExplicitIntegrator::advance(double time, double /*deltaT*/) {
     }
     state_.force = model_.externalForce(time);
     energies_.kinetic = 0.5 * state_.velocity.dot(mass_ * state_.velocity);
-    energies_.strain = model_.strainEnergy(state_.displacement);
+    energies_.strain =
+        model_.strainEnergy(state_.displacement) + shift_.energyAt(state_.displacement);
     if (!state_.displacement.allFinite() || !std::isfinite(energies_.strain)) {
         throw SolverError(fmt::format("time {:.6g} s: the motion is not finite, in {} parts of "
                                       "{:.3g} s each; use a smaller time.step, so that the stable "

@@ -51,7 +51,8 @@ class ExplicitIntegrator : public Stepper {
     MotionState state_;
     bool isAtStart_ = true;      ///< supports have no rates yet
     Eigen::VectorXd totalForce_; ///< followers included
-    Eigen::VectorXd vibration_;  ///< of the highest frequency, from the last estimate
+    StructuralModel::SupportShift shift_;
+    Eigen::VectorXd vibration_; ///< of the highest frequency, from the last estimate
     Energies energies_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/timeIntegration/TimeIntegrator.hpp"
 
-#include "igaStructure/timeIntegration/supportMotion.hpp"
+#include "igaStructure/timeIntegration/supportRates.hpp"
 
 #include <fmt/format.h>
 
@@ -44,6 +44,7 @@ TimeIntegrator::TimeIntegrator(StructuralModel& model, const TimeScheme& scheme,
     state_.acceleration = state_.displacement;
     state_.force = model.externalForce(startTime);
     followerForce_ = followerForce(state_.displacement, startTime);
+    startShift_ = endShift_ = model.supportShift(startTime);
     if (scheme.dynamic) {
         requireSupportsAtRest(model, startTime);
         setInitialAcceleration(VectorXd::Zero(model.nUnknowns()));
@@ -73,6 +74,7 @@ VectorXd TimeIntegrator::initialReaction() const {
     if (!model_.isLinear()) {
         force += model_.internalForce(state_.displacement).force;
     }
+    startShift_.addTo(force);
     return fixedPart(model_.fixed(), std::move(force));
 }
 
@@ -103,7 +105,7 @@ void TimeIntegrator::beginTimeStep(double time, double deltaT) {
 }
 
 const VectorXd& TimeIntegrator::solve(const VectorXd& interfaceForce) {
-    force_ = model_.externalForce(time_);
+    setLoads();
     if (interfaceForce.size() > 0) {
         force_ += interfaceForce;
     }
@@ -120,9 +122,15 @@ const VectorXd& TimeIntegrator::solve(const VectorXd& interfaceForce) {
     return displacement_;
 }
 
+// The model's own, and where its supports are.
+void TimeIntegrator::setLoads() {
+    force_ = model_.externalForce(time_);
+    endShift_ = model_.supportShift(time_);
+}
+
 // Forces at the end of the step enter the balance with the factor 1 - alphaF.
 VectorXd TimeIntegrator::requiredForce(const VectorXd& displacement) {
-    force_ = model_.externalForce(time_);
+    setLoads();
     return balance(asSupported(model_, displacement, time_)).residual / (scheme_.alphaF - 1);
 }
 
@@ -167,6 +175,7 @@ void TimeIntegrator::goBack(const MotionState& state, const Energies& energies) 
     state_ = state;
     energies_ = energies;
     followerForce_ = followerForce(state_.displacement, state_.time);
+    startShift_ = model_.supportShift(state_.time);
     displacement_ = state_.displacement;
 }
 
@@ -214,14 +223,22 @@ VectorXd TimeIntegrator::followerForce(const VectorXd& displacement, double time
     return force;
 }
 
-TimeIntegrator::Balance TimeIntegrator::balance(const VectorXd& displacement) const {
-    const VectorXd middle = atAlphaF(state_.displacement, displacement);
+StructuralModel::Internal TimeIntegrator::internalForce(const VectorXd& middle) const {
     StructuralModel::Internal internal;
     if (model_.isLinear()) {
         internal.force = stiffness_ * middle;
     } else {
         internal = model_.internalForce(middle);
     }
+    if (endShift_.force.size() > 0) {
+        internal.force += atAlphaF(startShift_.force, endShift_.force);
+    }
+    return internal;
+}
+
+TimeIntegrator::Balance TimeIntegrator::balance(const VectorXd& displacement) const {
+    const VectorXd middle = atAlphaF(state_.displacement, displacement);
+    const StructuralModel::Internal internal = internalForce(middle);
     Balance balance;
     // An iteration that has run away is not at its rounding error.
     constexpr double farAway = 100;
@@ -431,7 +448,12 @@ std::string TimeIntegrator::freeMotionsHint() const {
 void TimeIntegrator::updateEnergies(const MotionState& next) {
     const VectorXd motion = next.displacement - state_.displacement;
     energies_.kinetic = 0.5 * next.velocity.dot(mass_ * next.velocity);
-    energies_.strain = model_.strainEnergy(next.displacement);
+    energies_.strain =
+        model_.strainEnergy(next.displacement) + endShift_.energyAt(next.displacement);
+    // Of weak supports, whose forces move by as much as they.
+    const VectorXd middle = 0.5 * (next.displacement + state_.displacement);
+    energies_.externalWork += endShift_.energyAt(middle) - startShift_.energyAt(middle);
+    startShift_ = endShift_;
     const VectorXd followerForce = this->followerForce(next.displacement, next.time);
     energies_.externalWork += 0.5 * motion.dot(next.force + state_.force + followerForce +
                                                followerForce_ + next.reaction + state_.reaction);

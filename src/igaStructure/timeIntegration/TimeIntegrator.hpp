@@ -119,6 +119,8 @@ class TimeIntegrator {
     double middleTime() const;
     Eigen::VectorXd followerForce(const Eigen::VectorXd& displacement, double time) const;
     Balance balance(const Eigen::VectorXd& displacement) const;
+    void setLoads();
+    StructuralModel::Internal internalForce(const Eigen::VectorXd& middle) const;
     bool isFactoredForStep() const;
     void renewTangent();
     void factorise();
@@ -147,7 +149,8 @@ class TimeIntegrator {
     double inertiaRounding_; ///< rounding error of inertia, per acceleration [N s^2/m]
 
     MotionState state_;
-    Eigen::VectorXd followerForce_; ///< at the state
+    Eigen::VectorXd followerForce_;                       ///< at the state
+    StructuralModel::SupportShift startShift_, endShift_; ///< at the state, and of the step
     Energies energies_;
 
     bool isAtStart_ = true; ///< supports have no rates yet

@@ -20,7 +20,32 @@ Beam::Beam(geometry::NurbsCurve curve, const BeamSection& section, Strains strai
       frames_(curve_, supports, dimension),
       pattern_(dimension, tensorNeighbours({curve_.knotVector()})),
       force_(curve_, section, std::move(loads), dimension) {
+    for (const BeamSupport& support : supports) {
+        supportNames_.push_back(support.name);
+    }
     requireUsable();
+}
+
+std::vector<std::string> Beam::supportNames() const {
+    return supportNames_;
+}
+
+// Forces on unknowns are, on control points, some of one that is held and of the next.
+std::vector<SupportLoad> Beam::supportLoads(const VectorXd& displacement, const VectorXd& reaction,
+                                            double /*time*/) const {
+    std::vector<SupportLoad> loads(supportNames_.size());
+    const geometry::Points& atRest = curve_.controlPoints();
+    const geometry::Points positions =
+        isLinear() ? atRest : moved(atRest, dimension_, controlDisplacements(displacement));
+    for (std::size_t k = 0; k < loads.size(); ++k) {
+        VectorXd own = reaction;
+        for (Eigen::Index unknown = 0; unknown < own.size(); ++unknown) {
+            own[unknown] *= frames_.owners()[unknown] == static_cast<int>(k) ? 1 : 0;
+        }
+        addForces(SupportOwners(own.size(), static_cast<int>(k)), positions, dimension_,
+                  frames_.onControlPoints(own), loads);
+    }
+    return loads;
 }
 
 void Beam::requireUsable() const {

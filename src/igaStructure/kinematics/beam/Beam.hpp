@@ -67,6 +67,12 @@ class Beam : public StructuralModel {
     /// False with pressures that vary along the beam or end at a free end.
     bool hasSymmetricTangent() const override;
     const std::vector<bool>& fixed() const override { return frames_.fixed(); }
+    bool hasPrescribedMotion() const override { return !frames_.trace().isEmpty(); }
+    Eigen::VectorXd prescribed(double time) const override { return frames_.trace().at(time); }
+    std::vector<std::string> supportNames() const override;
+    std::vector<SupportLoad> supportLoads(const Eigen::VectorXd& displacement,
+                                          const Eigen::VectorXd& reaction,
+                                          double time) const override;
     std::vector<std::string> freeRigidMotions() const override;
     double size() const override;
 
@@ -103,6 +109,7 @@ class Beam : public StructuralModel {
     Strains strains_;
     std::vector<BeamPoint> points_;
     EndFrames frames_;
+    std::vector<std::string> supportNames_;
     NodePattern pattern_;
     BeamForce force_;
     Eigen::VectorXd externalForce_;

@@ -4,8 +4,10 @@
 #include "common/Formula.hpp"
 #include "geometry/spline/NurbsCurve.hpp"
 #include "igaStructure/assembly/ElasticMaterial.hpp"
+#include "igaStructure/assembly/SupportTrace.hpp"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace tokay::structure {
@@ -35,6 +37,8 @@ struct BeamSupport {
     bool y = false;
     bool rotation = false;
     bool z = false; ///< in space
+    SupportMotion motion = nullptr;
+    std::string name = {};
 };
 
 /// A force that keeps its direction, and in the plane a moment (counter-clockwise),

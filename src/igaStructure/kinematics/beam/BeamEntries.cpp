@@ -72,6 +72,14 @@ BeamSection makeSection(const CableEntries& entries, bool isInSpace) {
     return section;
 }
 
+void requireComponents(const Located& entries, const std::string& name,
+                       const std::vector<Formula>& vector, int dimension) {
+    if (vector.size() != static_cast<std::size_t>(dimension)) {
+        throw entries.error(
+            name, fmt::format("must have {} values here, but has {}", dimension, vector.size()));
+    }
+}
+
 BeamSupport makeSupport(const BeamSupportEntries& support, bool isInSpace) {
     const std::array<bool, 4> fixed = fixedComponents<4>(support.fix);
     if (fixed[2] && !isInSpace) {
@@ -83,15 +91,12 @@ BeamSupport makeSupport(const BeamSupportEntries& support, bool isInSpace) {
     result.y = fixed[1];
     result.z = fixed[2];
     result.rotation = fixed[3];
-    return result;
-}
-
-void requireComponents(const CableLoadEntries& load, const std::string& name,
-                       const std::vector<Formula>& vector, int dimension) {
-    if (vector.size() != static_cast<std::size_t>(dimension)) {
-        throw load.error(
-            name, fmt::format("must have {} values here, but has {}", dimension, vector.size()));
+    if (support.displacement) {
+        requireComponents(support, "displacement", *support.displacement, isInSpace ? 3 : 2);
     }
+    result.name = nameOf(support.end, endChoices());
+    result.motion = supportMotion(support, support.displacement, fixed);
+    return result;
 }
 
 // A load that follows the motion needs a side, or an axis to turn about.

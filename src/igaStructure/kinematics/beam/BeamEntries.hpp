@@ -117,6 +117,7 @@ inline const Choices<BeamEnd>& endChoices() {
 struct BeamSupportEntries : Located {
     BeamEnd end = BeamEnd::start;
     std::vector<Fixed> fix;
+    std::optional<std::vector<Formula>> displacement;
 
     static const SchemaOf<BeamSupportEntries>& schema() {
         static const SchemaOf<BeamSupportEntries> schema = {
@@ -124,7 +125,9 @@ struct BeamSupportEntries : Located {
             {"fix", &BeamSupportEntries::fix, componentsAndRotation(),
              "Displacement components, and rotation of the section (in space about both axes "
              "across the beam), that are zero there.",
-             required}};
+             required},
+            {"displacement", &BeamSupportEntries::displacement, "", "m", supportDisplacementMeaning,
+             otherwise("`0`")}};
         return schema;
     }
 };
@@ -133,7 +136,9 @@ struct CableSupportEntries : BeamSupportEntries {
     static const SchemaOf<CableSupportEntries>& schema() {
         static const SchemaOf<CableSupportEntries> schema = {
             {"end", &CableSupportEntries::end, endChoices(), "Constrained end.", required},
-            {"fix", &CableSupportEntries::fix, spatialComponents(), fixMeaning, required}};
+            {"fix", &CableSupportEntries::fix, spatialComponents(), fixMeaning, required},
+            {"displacement", &CableSupportEntries::displacement, "", "m",
+             supportDisplacementMeaning, otherwise("`0`")}};
         return schema;
     }
 };

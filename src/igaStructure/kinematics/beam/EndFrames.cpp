@@ -2,8 +2,10 @@
 #include "igaStructure/kinematics/beam/EndFrames.hpp"
 
 #include "common/errors.hpp"
+#include "igaStructure/kinematics/curvePoints.hpp"
 
 #include <Eigen/Geometry>
+#include <Eigen/SparseLU>
 
 #include <algorithm>
 
@@ -34,6 +36,10 @@ EndFrames::EndFrames(const geometry::NurbsCurve& curve, const std::vector<BeamSu
     for (const BeamSupport& support : supports) {
         hold(curve, support);
     }
+    for (std::size_t k = 0; k < supports.size(); ++k) {
+        addOwner(owners_, heldBy(supports[k]), static_cast<int>(k));
+    }
+    trace_ = traceOf(curve, supports);
     const bool allRotations =
         std::count_if(supports.begin(), supports.end(),
                       [](const BeamSupport& support) { return support.rotation; }) > 1;
@@ -41,6 +47,27 @@ EndFrames::EndFrames(const geometry::NurbsCurve& curve, const std::vector<BeamSu
         throw InputError("both ends of the line hold their rotation, which needs at least 4 "
                          "control points: use more elements or a higher degree");
     }
+}
+
+// Of the control points at the ends, which are on the line.
+SupportTrace EndFrames::traceOf(const geometry::NurbsCurve& curve,
+                                const std::vector<BeamSupport>& supports) const {
+    std::vector<SupportPoint> points;
+    std::vector<bool> moving(fixed_.size(), false);
+    std::vector<bool> atRest = moving;
+    for (const BeamSupport& support : supports) {
+        const int k = support.end == BeamEnd::start ? 0 : curve.nControlPoints() - 1;
+        const std::array<bool, 3> held = {support.x, support.y, support.z};
+        std::vector<bool>& own = support.motion ? moving : atRest;
+        for (int c = 0; c < dimension_; ++c) {
+            own[dimension_ * k + c] = own[dimension_ * k + c] || held[c];
+        }
+        if (support.motion) {
+            const geometry::Point end = curve.controlPoints().row(k);
+            points.push_back({{k}, Eigen::VectorXd::Ones(1), 1, end, held, support.motion});
+        }
+    }
+    return {std::move(points), movingOnly(std::move(moving), atRest), dimension_};
 }
 
 // In space turning about its own chord does not move a straight line, and swings
@@ -74,6 +101,19 @@ void EndFrames::hold(const geometry::NurbsCurve& curve, const BeamSupport& suppo
     }
 }
 
+// Unknowns of the end's control point, and of the next one if it holds the rotation.
+std::vector<bool> EndFrames::heldBy(const BeamSupport& support) const {
+    std::vector<bool> held(fixed_.size(), false);
+    const int n = static_cast<int>(held.size()) / dimension_;
+    const bool isStart = support.end == BeamEnd::start;
+    const bool own[3] = {support.x, support.y, support.z};
+    for (int c = 0; c < dimension_; ++c) {
+        held[dimension_ * (isStart ? 0 : n - 1) + c] = own[c];
+        held[dimension_ * (isStart ? 1 : n - 2) + c] = support.rotation && c > 0;
+    }
+    return held;
+}
+
 void EndFrames::holdRotation(int first, int second, const Vector3d& tangent) {
     const Matrix3d axes = frame(tangent, dimension_);
     const Matrix3d across = Matrix3d::Identity() - tangent * tangent.transpose();
@@ -100,6 +140,14 @@ Eigen::VectorXd EndFrames::displacements(const Eigen::VectorXd& unknowns) const 
 Eigen::VectorXd EndFrames::forces(const Eigen::VectorXd& onControlPoints) const {
     return isIdentity_ ? onControlPoints
                        : Eigen::VectorXd(toDisplacements_.transpose() * onControlPoints);
+}
+
+Eigen::VectorXd EndFrames::onControlPoints(const Eigen::VectorXd& onUnknowns) const {
+    if (isIdentity_) {
+        return onUnknowns;
+    }
+    Eigen::SparseLU<SparseMatrix> lu(SparseMatrix(toDisplacements_.transpose()));
+    return lu.solve(onUnknowns);
 }
 
 SparseMatrix EndFrames::matrix(const SparseMatrix& ofControlPoints) const {

@@ -4,6 +4,7 @@
 #include "geometry/spline/NurbsCurve.hpp"
 #include "igaStructure/assembly/RigidMotions.hpp"
 #include "igaStructure/assembly/SparseMatrix.hpp"
+#include "igaStructure/assembly/SupportLoad.hpp"
 #include "igaStructure/kinematics/beam/BeamDescription.hpp"
 
 #include <vector>
@@ -16,7 +17,7 @@ namespace tokay::structure {
 /// motion. Where a rotation is held the second control point's unknowns are
 /// therefore its displacement along the reference tangent, and across it (in
 /// space along two normals) relative to the first control point: these are then
-/// zero.
+/// zero, also where the end moves.
 class EndFrames {
   public:
     /// @param dimension  2 or 3: unknowns a control point
@@ -27,9 +28,18 @@ class EndFrames {
     /// Unknowns that supports hold, dimension nControlPoints.
     const std::vector<bool>& fixed() const { return fixed_; }
 
+    /// Motion of the unknowns of ends that move.
+    const SupportTrace& trace() const { return trace_; }
+
     /// @param unknowns  dimension nControlPoints
     /// @return          displacements of control points along x, y and in space z
     Eigen::VectorXd displacements(const Eigen::VectorXd& unknowns) const;
+
+    /// Forces on control points that are these forces on unknowns, the inverse of forces().
+    Eigen::VectorXd onControlPoints(const Eigen::VectorXd& onUnknowns) const;
+
+    /// The number of the support that holds each unknown.
+    const SupportOwners& owners() const { return owners_; }
 
     /// The transpose: forces on unknowns.
     Eigen::VectorXd forces(const Eigen::VectorXd& onControlPoints) const;
@@ -44,6 +54,9 @@ class EndFrames {
   private:
     void holdWhatIsNoMotion(const geometry::NurbsCurve& curve);
     void hold(const geometry::NurbsCurve& curve, const BeamSupport& support);
+    std::vector<bool> heldBy(const BeamSupport& support) const;
+    SupportTrace traceOf(const geometry::NurbsCurve& curve,
+                         const std::vector<BeamSupport>& supports) const;
     void holdRotation(int first, int second, const Eigen::Vector3d& tangent);
 
     int dimension_;
@@ -51,6 +64,8 @@ class EndFrames {
     std::vector<bool> fixed_;
     SparseMatrix toDisplacements_;
     RigidMotions motions_;
+    SupportTrace trace_;
+    SupportOwners owners_;
 };
 
 } // namespace tokay::structure

@@ -29,7 +29,10 @@ PlaneSolidCase make(const PlaneEntries<Model>& entries, Kinematics kinematics) {
     material.thickness = entries.model.thickness;
     std::vector<Support> supports;
     for (const PlaneSupport& support : entries.supports) {
-        supports.push_back({support.edge, fixedComponents<2>(support.fix)});
+        const std::array<bool, 2> fixed = fixedComponents<2>(support.fix);
+        supports.push_back({support.edge, fixed,
+                            supportMotion(support, support.displacement, fixed),
+                            nameOf(support.edge, edgeChoices())});
     }
     const PlaneGeometry& shape = entries.geometry;
     return {refined(shape.rectangle ? shape.rectangle->surface() : shape.nurbs->surface(),

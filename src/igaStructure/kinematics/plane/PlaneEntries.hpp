@@ -50,14 +50,17 @@ struct PlaneStressModel : PlaneStrainModel {
 };
 
 /// An item of `supports`.
-struct PlaneSupport {
+struct PlaneSupport : Located {
     geometry::Edge edge = geometry::Edge::left;
     std::vector<Fixed> fix;
+    std::optional<std::array<Formula, 2>> displacement;
 
     static const SchemaOf<PlaneSupport>& schema() {
         static const SchemaOf<PlaneSupport> schema = {
             {"edge", &PlaneSupport::edge, edgeChoices(), "Constrained edge.", required},
-            {"fix", &PlaneSupport::fix, planeComponents(), fixMeaning, required}};
+            {"fix", &PlaneSupport::fix, planeComponents(), fixMeaning, required},
+            {"displacement", &PlaneSupport::displacement, "", "m", supportDisplacementMeaning,
+             otherwise("`0`")}};
         return schema;
     }
 };

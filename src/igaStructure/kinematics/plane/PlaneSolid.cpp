@@ -79,12 +79,32 @@ PlaneSolid::PlaneSolid(geometry::NurbsSurface surface, const PlaneMaterial& mate
       material_(material), strains_(strains), stiffness_(material.stiffness()),
       stiffnessRoot_(stiffness_.llt().matrixU()),
       fixed_(nodes_.fixed(fixedUnknowns(surface_, supports))),
-      u_(surface_.u(), surface_.u().degree() + 1), v_(surface_.v(), surface_.v().degree() + 1),
+      trace_(supportTrace(surface_, nodes_, supports)), u_(surface_.u(), surface_.u().degree() + 1),
+      v_(surface_.v(), surface_.v().degree() + 1),
       pattern_(2, nodes_.neighbours({surface_.u(), surface_.v()})),
       external_(surface_, material, std::move(loads)) {
     requirePlane(surface_);
+    for (const Support& support : supports) {
+        addOwner(owners_, nodes_.fixed(fixedUnknowns(surface_, {support})),
+                 static_cast<int>(supportNames_.size()));
+        supportNames_.push_back(support.name);
+    }
     forEachPoint([](const PlaneElement& element) { element.requireRegular(); },
                  [](const PlaneElement&) {});
+}
+
+std::vector<std::string> PlaneSolid::supportNames() const {
+    return supportNames_;
+}
+
+std::vector<SupportLoad> PlaneSolid::supportLoads(const Eigen::VectorXd& displacement,
+                                                  const Eigen::VectorXd& reaction,
+                                                  double /*time*/) const {
+    std::vector<SupportLoad> loads(supportNames_.size());
+    const geometry::Points atRest =
+        surface_.controlPoints()(nodes_.firstControlPoints(), Eigen::all);
+    addForces(owners_, isLinear() ? atRest : moved(atRest, 2, displacement), 2, reaction, loads);
+    return loads;
 }
 
 template <class Visit, class Finish>

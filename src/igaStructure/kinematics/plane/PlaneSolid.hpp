@@ -49,6 +49,12 @@ class PlaneSolid : public StructuralModel {
     double strainEnergy(const Eigen::VectorXd& displacement) const override;
     const Eigen::VectorXd& externalForce(double time) override;
     const std::vector<bool>& fixed() const override { return fixed_; }
+    bool hasPrescribedMotion() const override { return !trace_.isEmpty(); }
+    Eigen::VectorXd prescribed(double time) const override { return trace_.at(time); }
+    std::vector<std::string> supportNames() const override;
+    std::vector<SupportLoad> supportLoads(const Eigen::VectorXd& displacement,
+                                          const Eigen::VectorXd& reaction,
+                                          double time) const override;
     std::vector<std::string> freeRigidMotions() const override;
     double size() const override;
 
@@ -85,6 +91,9 @@ class PlaneSolid : public StructuralModel {
     Eigen::Matrix3d stiffness_;
     Eigen::Matrix3d stiffnessRoot_; ///< upper triangular R, C = R^T R
     std::vector<bool> fixed_;
+    SupportTrace trace_;
+    std::vector<std::string> supportNames_;
+    SupportOwners owners_;
     TabulatedBasis u_, v_;
     NodePattern pattern_;
     ExternalForce external_;

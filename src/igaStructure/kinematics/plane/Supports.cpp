@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/kinematics/plane/Supports.hpp"
 
+#include "igaStructure/kinematics/curvePoints.hpp"
+
 namespace tokay::structure {
 
 std::vector<bool> fixedUnknowns(const geometry::NurbsSurface& surface,
@@ -14,6 +16,25 @@ std::vector<bool> fixedUnknowns(const geometry::NurbsSurface& surface,
         }
     }
     return fixed;
+}
+
+SupportTrace supportTrace(const geometry::NurbsSurface& surface, const PatchNodes& nodes,
+                          const std::vector<Support>& supports) {
+    std::vector<Support> atRest;
+    std::vector<Support> moving;
+    std::vector<SupportPoint> points;
+    for (const Support& support : supports) {
+        (support.motion ? moving : atRest).push_back(support);
+        if (support.motion) {
+            const geometry::BoundaryCurve boundary = surface.boundaryCurve(support.edge);
+            addCurvePoints(boundary.curve, nodes.of(boundary.controlPoints),
+                           {support.fixed[0], support.fixed[1], false}, support.motion, points);
+        }
+    }
+    return {std::move(points),
+            movingOnly(nodes.fixed(fixedUnknowns(surface, moving)),
+                       nodes.fixed(fixedUnknowns(surface, atRest))),
+            2};
 }
 
 } // namespace tokay::structure

@@ -279,6 +279,70 @@ void Shell::addCouplings(const VectorXd& displacement, SparseMatrix* tangent, Ve
     }
 }
 
+// Of each coupling, those that no support moves included.
+std::vector<EdgeCoupling::Shift> Shell::couplingShifts(double time) const {
+    std::vector<EdgeCoupling::Shift> shifts(constraints_.couplings.size());
+    for (const ShellConstraints::Moved& moved : constraints_.moved) {
+        shifts[moved.coupling] = constraints_.couplings[moved.coupling]->shift(*moved.motion, time);
+    }
+    return shifts;
+}
+
+StructuralModel::SupportShift Shell::supportShift(double time) const {
+    SupportShift sum;
+    if (constraints_.moved.empty()) {
+        return sum;
+    }
+    sum.force = VectorXd::Zero(nUnknowns());
+    const std::vector<EdgeCoupling::Shift> shifts = couplingShifts(time);
+    for (const ShellConstraints::Moved& moved : constraints_.moved) {
+        const EdgeCoupling::Shift& own = shifts[moved.coupling];
+        const std::vector<int>& nodes = constraints_.couplings[moved.coupling]->nodes();
+        for (std::size_t k = 0; own.force.size() > 0 && k < nodes.size(); ++k) {
+            sum.force.segment<3>(3 * nodes[k]) +=
+                own.force.segment<3>(3 * static_cast<Eigen::Index>(k));
+        }
+        sum.energy += own.energy;
+        sum.largest = std::max(sum.largest, own.largest);
+    }
+    return sum;
+}
+
+std::vector<std::string> Shell::supportNames() const {
+    std::vector<std::string> names;
+    for (const EdgeSupport& support : description_.edgeSupports) {
+        names.push_back(support.name);
+    }
+    for (const PointSupport& support : description_.pointSupports) {
+        names.push_back(support.name);
+    }
+    return names;
+}
+
+std::vector<SupportLoad> Shell::supportLoads(const VectorXd& displacement, const VectorXd& reaction,
+                                             double time) const {
+    std::vector<SupportLoad> loads(description_.edgeSupports.size() +
+                                   description_.pointSupports.size());
+    const geometry::Points positions =
+        isLinear() ? nodes_.positions : moved(nodes_.positions, 3, displacement);
+    addForces(constraints_.owners, positions, 3, reaction, loads);
+    const std::vector<EdgeCoupling::Shift> shifts = couplingShifts(time);
+    for (std::size_t k = 0; k < shifts.size(); ++k) {
+        if (constraints_.couplingOwners[k] < 0) {
+            continue;
+        }
+        const EdgeCoupling& coupling = *constraints_.couplings[k];
+        VectorXd force = coupling.answer(displacement, description_.strains, false).force;
+        force += shifts[k].force.size() > 0 ? shifts[k].force : VectorXd::Zero(force.size());
+        for (std::size_t node = 0; node < coupling.nodes().size(); ++node) {
+            loads[constraints_.couplingOwners[k]].add(
+                positions.row(coupling.nodes()[node]),
+                -force.segment<3>(3 * static_cast<Eigen::Index>(node)));
+        }
+    }
+    return loads;
+}
+
 StructuralModel::Internal Shell::evaluate(const Evaluation& evaluation, double& energy) const {
     SparseMatrix* const tangent = evaluation.tangent;
     if (tangent) {

@@ -56,6 +56,13 @@ class Shell : public StructuralModel {
                                     SparseMatrix& tangent) const override;
     bool hasSymmetricTangent() const override { return hasSymmetricTangent_; }
     const std::vector<bool>& fixed() const override { return constraints_.fixed; }
+    bool hasPrescribedMotion() const override { return !constraints_.trace.isEmpty(); }
+    Eigen::VectorXd prescribed(double time) const override { return constraints_.trace.at(time); }
+    SupportShift supportShift(double time) const override;
+    std::vector<std::string> supportNames() const override;
+    std::vector<SupportLoad> supportLoads(const Eigen::VectorXd& displacement,
+                                          const Eigen::VectorXd& reaction,
+                                          double time) const override;
     std::vector<std::string> freeRigidMotions() const override;
     std::vector<std::string> looseParts() const override;
     double size() const override { return description_.model.size(); }
@@ -77,6 +84,7 @@ class Shell : public StructuralModel {
     ShellState stateAt(int face, double xi, double eta, const Eigen::VectorXd& displacement) const;
 
   private:
+    std::vector<EdgeCoupling::Shift> couplingShifts(double time) const;
     std::vector<int> nodesOf(const ShellPart& part) const;
     struct Workspace;
     struct Totals;

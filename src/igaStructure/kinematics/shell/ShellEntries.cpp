@@ -152,9 +152,11 @@ class ModelParts {
 void addSupport(const ShellSupport& support, const ModelParts& parts, ShellDescription& shell) {
     const std::array<bool, 3> fixed = fixedComponents<3>(support.fix);
     const bool isClamped = fixedComponents<4>(support.fix)[3];
+    const SupportMotion motion = supportMotion(support, support.displacement, fixed);
     if (!support.point) {
         shell.edgeSupports.push_back(
-            {parts.trims(support), fixed, isClamped, support.weak.value_or(false)});
+            {parts.trims(support), fixed, isClamped, support.weak.value_or(false), motion,
+             support.edge ? nameOf(*support.edge, edgeChoices()) : *support.brepEdge});
         return;
     }
     if (support.edge || support.brepEdge || support.weak) {
@@ -164,7 +166,7 @@ void addSupport(const ShellSupport& support, const ModelParts& parts, ShellDescr
         throw support.error("fix", "a point has no rotation; allowed: x, y, z");
     }
     const geometry::ModelProjection at = parts.closest(support);
-    shell.pointSupports.push_back({at.face, {at.xi, at.eta}, fixed});
+    shell.pointSupports.push_back({at.face, {at.xi, at.eta}, fixed, motion, "point"});
 }
 
 void requireOneLoad(const ShellLoad& load) {

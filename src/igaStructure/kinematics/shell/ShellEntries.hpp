@@ -168,6 +168,7 @@ struct ShellEdgeEntries : Located {
 /// An item of `supports` of a shell or membrane.
 struct ShellSupport : ShellEdgeEntries {
     std::vector<Fixed> fix;
+    std::optional<std::array<Formula, 3>> displacement;
     std::optional<bool> weak;
 
     template <class Support>
@@ -176,6 +177,8 @@ struct ShellSupport : ShellEdgeEntries {
             .with(ShellEdgeEntries::schema())
             .with(SchemaOf<Support>{
                 {"fix", &Support::fix, choices, meaning, required},
+                {"displacement", &Support::displacement, "", "m", supportDisplacementMeaning,
+                 otherwise("`0`")},
                 {"weak", &Support::weak,
                  "Whether an edge is supported weakly, by springs, even where the basis could do "
                  "it exactly.",

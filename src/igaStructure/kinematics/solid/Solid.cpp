@@ -53,16 +53,38 @@ Solid::Solid(SolidDescription description)
       nodes_(std::make_unique<const PatchNodes>(directions(volume()), volume().controlPoints(),
                                                 volume().weights(), description_->isSlit)),
       law_(material()), fixed_(nodes_->fixed(fixedUnknowns(volume(), description_->supports))),
+      trace_(supportTrace(*description_, *nodes_)),
       hasSymmetricTangent_(isLinear() || pressuresHavePotential(*description_, *nodes_)),
       grid_(volume(), *nodes_), rows_(nodesOfRows()),
       pattern_(3, nodes_->neighbours(directions(volume()))),
       loading_(std::make_unique<SolidLoading>(*description_)) {
+    for (std::size_t k = 0; k < description_->supports.size(); ++k) {
+        addOwner(owners_, nodes_->fixed(fixedUnknowns(volume(), {description_->supports[k]})),
+                 static_cast<int>(k));
+    }
     forEachElement([](SolidElement& element, int, int) {
         for (int point = 0; point < element.nPoints(); ++point) {
             element.moveToPoint(point);
             element.requireRegular();
         }
     });
+}
+
+std::vector<std::string> Solid::supportNames() const {
+    std::vector<std::string> names;
+    for (const SolidSupport& support : description_->supports) {
+        names.push_back(support.name);
+    }
+    return names;
+}
+
+std::vector<SupportLoad> Solid::supportLoads(const VectorXd& displacement, const VectorXd& reaction,
+                                             double /*time*/) const {
+    std::vector<SupportLoad> loads(description_->supports.size());
+    const geometry::Points atRest =
+        volume().controlPoints()(nodes_->firstControlPoints(), Eigen::all);
+    addForces(owners_, isLinear() ? atRest : moved(atRest, 3, displacement), 3, reaction, loads);
+    return loads;
 }
 
 int Solid::nThreads() const {

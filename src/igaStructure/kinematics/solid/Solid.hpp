@@ -55,6 +55,12 @@ class Solid : public StructuralModel {
                                     SparseMatrix& tangent) const override;
     bool hasSymmetricTangent() const override { return hasSymmetricTangent_; }
     const std::vector<bool>& fixed() const override { return fixed_; }
+    bool hasPrescribedMotion() const override { return !trace_.isEmpty(); }
+    Eigen::VectorXd prescribed(double time) const override { return trace_.at(time); }
+    std::vector<std::string> supportNames() const override;
+    std::vector<SupportLoad> supportLoads(const Eigen::VectorXd& displacement,
+                                          const Eigen::VectorXd& reaction,
+                                          double time) const override;
     std::vector<std::string> freeRigidMotions() const override;
     double size() const override;
 
@@ -102,6 +108,8 @@ class Solid : public StructuralModel {
     std::unique_ptr<const PatchNodes> nodes_;
     ElasticLaw law_;
     std::vector<bool> fixed_;
+    SupportTrace trace_;
+    SupportOwners owners_;
     bool hasSymmetricTangent_;
     SolidGrid grid_;
     ColouredAssembly rows_;

@@ -4,8 +4,10 @@
 #include "geometry/spline/NurbsVolume.hpp"
 #include "igaStructure/assembly/ElasticMaterial.hpp"
 #include "igaStructure/assembly/Field.hpp"
+#include "igaStructure/assembly/SupportTrace.hpp"
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace tokay::structure {
@@ -14,6 +16,8 @@ namespace tokay::structure {
 struct SolidSupport {
     std::vector<geometry::Side> sides;
     std::array<bool, 3> fixed = {false, false, false};
+    SupportMotion motion = nullptr;
+    std::string name = {};
 };
 
 /// Loads of a solid; those that follow the deformation are pressures.

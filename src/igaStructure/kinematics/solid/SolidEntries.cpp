@@ -3,6 +3,8 @@
 
 #include "geometry/primitives/volumePrimitives.hpp"
 
+#include <fmt/format.h>
+
 namespace tokay::structure {
 
 namespace {
@@ -65,7 +67,14 @@ geometry::NurbsVolume SolidGeometry::thickened(double thickness) const {
 SolidDescription makeSolid(const SolidEntries& entries, const CaseContext&) {
     std::vector<SolidSupport> supports;
     for (const SolidSupportEntries& support : entries.supports) {
-        supports.push_back({support.faces, fixedComponents<3>(support.fix)});
+        const std::array<bool, 3> fixed = fixedComponents<3>(support.fix);
+        std::vector<std::string> names;
+        for (const geometry::Side face : support.faces) {
+            names.push_back(nameOf(face, faceChoices()));
+        }
+        supports.push_back({support.faces, fixed,
+                            supportMotion(support, support.displacement, fixed),
+                            fmt::format("{}", fmt::join(names, "-"))});
     }
     return {makeVolume(entries),      entries.material.material(), entries.model.strains, supports,
             makeLoads(entries.loads), entries.geometry.isSlit};

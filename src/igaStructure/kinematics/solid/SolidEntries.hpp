@@ -62,15 +62,18 @@ struct SolidModel : ModelEntries {
 };
 
 /// An item of `supports`.
-struct SolidSupportEntries {
+struct SolidSupportEntries : Located {
     std::vector<geometry::Side> faces;
     std::vector<Fixed> fix;
+    std::optional<std::array<Formula, 3>> displacement;
 
     static const SchemaOf<SolidSupportEntries>& schema() {
         static const SchemaOf<SolidSupportEntries> schema = {
             {"faces", &SolidSupportEntries::faces, faceChoices(),
              "Constrained face; of two faces their common edge, of three their corner.", required},
-            {"fix", &SolidSupportEntries::fix, spatialComponents(), fixMeaning, required}};
+            {"fix", &SolidSupportEntries::fix, spatialComponents(), fixMeaning, required},
+            {"displacement", &SolidSupportEntries::displacement, "", "m",
+             supportDisplacementMeaning, otherwise("`0`")}};
         return schema;
     }
 };

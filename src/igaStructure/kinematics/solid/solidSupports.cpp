@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/kinematics/solid/solidSupports.hpp"
 
+#include "igaStructure/kinematics/curvePoints.hpp"
+#include "igaStructure/kinematics/solid/SidePoints.hpp"
+
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <iterator>
 
@@ -35,6 +40,70 @@ std::vector<bool> fixedUnknowns(const geometry::NurbsVolume& volume,
         }
     }
     return fixed;
+}
+
+namespace {
+
+void addSidePoints(const SolidDescription& solid, const PatchNodes& nodes,
+                   const SolidSupport& support, std::vector<SupportPoint>& points) {
+    const SidePoints side(solid.volume, support.sides.front());
+    for (const SidePoints::SideElement& element : side.elements()) {
+        for (const SidePoints::SidePoint& at : element.points) {
+            points.push_back({nodes.of(element.controlPoints), at.N.row(0),
+                              at.weight * at.tangentXi.cross(at.tangentEta).norm(), at.position,
+                              support.fixed, support.motion});
+        }
+    }
+}
+
+// Along the edge of a side that has these control points, given in ascending order.
+void addEdgePoints(const SolidDescription& solid, const PatchNodes& nodes,
+                   const SolidSupport& support, const std::vector<int>& edge,
+                   std::vector<SupportPoint>& points) {
+    const geometry::BoundarySurface side = solid.volume.boundarySurface(support.sides.front());
+    for (const auto name : {geometry::Edge::left, geometry::Edge::right, geometry::Edge::bottom,
+                            geometry::Edge::top}) {
+        const geometry::BoundaryCurve boundary = side.surface.boundaryCurve(name);
+        std::vector<int> own;
+        for (const int k : boundary.controlPoints) {
+            own.push_back(side.controlPoints[k]);
+        }
+        if (own == edge) {
+            addCurvePoints(boundary.curve, nodes.of(own), support.fixed, support.motion, points);
+        }
+    }
+}
+
+void addPoints(const SolidDescription& solid, const PatchNodes& nodes, const SolidSupport& support,
+               std::vector<SupportPoint>& points) {
+    const std::vector<int> common = commonControlPoints(solid.volume, support.sides);
+    if (support.sides.size() == 1) {
+        addSidePoints(solid, nodes, support, points);
+    } else if (common.size() > 1) {
+        addEdgePoints(solid, nodes, support, common, points);
+    } else if (common.size() == 1) {
+        points.push_back({nodes.of(common), Eigen::VectorXd::Ones(1), 1,
+                          solid.volume.controlPoints().row(common.front()), support.fixed,
+                          support.motion});
+    }
+}
+
+} // namespace
+
+SupportTrace supportTrace(const SolidDescription& solid, const PatchNodes& nodes) {
+    std::vector<SolidSupport> atRest;
+    std::vector<SolidSupport> moving;
+    std::vector<SupportPoint> points;
+    for (const SolidSupport& support : solid.supports) {
+        (support.motion ? moving : atRest).push_back(support);
+        if (support.motion) {
+            addPoints(solid, nodes, support, points);
+        }
+    }
+    return {std::move(points),
+            movingOnly(nodes.fixed(fixedUnknowns(solid.volume, moving)),
+                       nodes.fixed(fixedUnknowns(solid.volume, atRest))),
+            3};
 }
 
 namespace {

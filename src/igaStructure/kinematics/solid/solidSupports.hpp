@@ -14,6 +14,9 @@ namespace tokay::structure {
 std::vector<bool> fixedUnknowns(const geometry::NurbsVolume& volume,
                                 const std::vector<SolidSupport>& supports);
 
+/// Motion of the unknowns of supports that move; what another holds at rest stays so.
+SupportTrace supportTrace(const SolidDescription& solid, const PatchNodes& nodes);
+
 /// True if the pressures on a solid have a potential, so that their derivative is
 /// symmetric: each is uniform on its side, and each edge of that side is constrained in
 /// two components, or across a plane in which it lies, or a seam.

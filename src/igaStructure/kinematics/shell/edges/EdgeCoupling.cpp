@@ -5,6 +5,8 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+
 namespace tokay::structure {
 
 using Eigen::Matrix3d;
@@ -89,8 +91,8 @@ VectorXd EdgeCoupling::gathered(const VectorXd& displacement) const {
 DisplacementPenalty::DisplacementPenalty(const PatchLocation& side, const PatchLocation* other,
                                          const std::array<bool, 3>& components,
                                          const Matrix3d& stiffness)
-    : EdgeCoupling(side, other), components_(components), stiffness_(stiffness),
-      row_(nodes_.size()) {
+    : EdgeCoupling(side, other), components_(components), places_{{side.position, 1}},
+      stiffness_(stiffness), row_(nodes_.size()) {
     row_.head(side.N.cols()) = side.N.row(0);
     if (other) {
         row_.tail(other->N.cols()) = -other->N.row(0);
@@ -99,9 +101,10 @@ DisplacementPenalty::DisplacementPenalty(const PatchLocation& side, const PatchL
 
 DisplacementPenalty::DisplacementPenalty(std::vector<int> nodes, Eigen::RowVectorXd weights,
                                          const std::array<bool, 3>& components,
-                                         const Matrix3d& stiffness)
-    : EdgeCoupling(std::move(nodes)), components_(components), stiffness_(stiffness),
-      row_(std::move(weights)) {}
+                                         const Matrix3d& stiffness,
+                                         std::vector<WeightedPlace> places)
+    : EdgeCoupling(std::move(nodes)), components_(components), places_(std::move(places)),
+      stiffness_(stiffness), row_(std::move(weights)) {}
 
 EdgeCoupling::Answer DisplacementPenalty::answer(const VectorXd& displacement, Strains,
                                                  bool withTangent) const {
@@ -113,6 +116,22 @@ EdgeCoupling::Answer DisplacementPenalty::answer(const VectorXd& displacement, S
         answer.tangent = rows.transpose() * stiff;
     }
     return answer;
+}
+
+EdgeCoupling::Shift DisplacementPenalty::shift(const VectorField& motion, double time) const {
+    Vector3d sum = Vector3d::Zero();
+    Shift shift;
+    for (const WeightedPlace& place : places_) {
+        Vector3d value = motion.value(place.position, time);
+        for (int c = 0; c < 3; ++c) {
+            value[c] = components_[c] ? value[c] : 0;
+        }
+        sum += place.factor * value;
+        shift.largest = std::max(shift.largest, value.lpNorm<Eigen::Infinity>());
+    }
+    shift.force = -restRows().transpose() * (stiffness_ * sum);
+    shift.energy = 0.5 * sum.dot(stiffness_ * sum);
+    return shift;
 }
 
 MatrixXd DisplacementPenalty::restRows() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "igaStructure/assembly/ElasticMaterial.hpp"
+#include "igaStructure/assembly/Field.hpp"
 #include "igaStructure/kinematics/shell/edges/EdgePoint.hpp"
 
 #include <array>
@@ -18,6 +19,13 @@ class EdgeCoupling {
         double energy = 0;
     };
 
+    /// What a motion of the support adds to an answer.
+    struct Shift {
+        Eigen::VectorXd force; ///< on the nodes; empty: none
+        double energy = 0;     ///< beside force times displacement
+        double largest = 0;    ///< of the motion [m]
+    };
+
     virtual ~EdgeCoupling() = default;
 
     /// Nodes of the location, then of the other one.
@@ -26,6 +34,9 @@ class EdgeCoupling {
     /// @param displacement  of all nodes of the shell
     virtual Answer answer(const Eigen::VectorXd& displacement, Strains strains,
                           bool withTangent) const = 0;
+
+    /// Of a coupling that holds components of the displacement.
+    virtual Shift shift(const VectorField& /*motion*/, double /*time*/) const { return {}; }
 
     /// Derivative of each constrained quantity by the displacement of the nodes, at
     /// rest: a row each.
@@ -41,6 +52,12 @@ class EdgeCoupling {
     std::vector<int> nodes_;
 };
 
+/// A place with a factor, of a sum of displacements.
+struct WeightedPlace {
+    Eigen::Vector3d position;
+    double factor;
+};
+
 /// Penalty on components of the displacement, or of its jump.
 class DisplacementPenalty : public EdgeCoupling {
   public:
@@ -50,16 +67,20 @@ class DisplacementPenalty : public EdgeCoupling {
                         const std::array<bool, 3>& components, const Eigen::Matrix3d& stiffness);
 
     /// Penalty on a weighted sum of the nodes' displacements.
-    /// @param nodes  each once
+    /// @param nodes   each once
+    /// @param places  of the sum, for the motion of a support
     DisplacementPenalty(std::vector<int> nodes, Eigen::RowVectorXd weights,
-                        const std::array<bool, 3>& components, const Eigen::Matrix3d& stiffness);
+                        const std::array<bool, 3>& components, const Eigen::Matrix3d& stiffness,
+                        std::vector<WeightedPlace> places);
 
     Answer answer(const Eigen::VectorXd& displacement, Strains strains,
                   bool withTangent) const override;
+    Shift shift(const VectorField& motion, double time) const override;
     Eigen::MatrixXd restRows() const override;
 
   private:
     std::array<bool, 3> components_;
+    std::vector<WeightedPlace> places_;
     Eigen::Matrix3d stiffness_;
     Eigen::RowVectorXd row_; ///< functions, those of the other place negative
 };

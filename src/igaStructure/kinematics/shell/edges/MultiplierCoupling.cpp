@@ -81,6 +81,7 @@ std::unique_ptr<EdgeCoupling> displacementMoment(const Multiplier& multiplier,
                                                  const PenaltyStiffness& stiffness) {
     NodeUnion nodes;
     std::vector<std::pair<Eigen::Index, double>> terms;
+    std::vector<WeightedPlace> sum;
     const auto collect = [&](const PatchLocation& place, double factor) {
         const std::vector<Eigen::Index> places = nodes.add(place.nodes);
         for (std::size_t k = 0; k < places.size(); ++k) {
@@ -89,6 +90,7 @@ std::unique_ptr<EdgeCoupling> displacementMoment(const Multiplier& multiplier,
     };
     for (const Sample& sample : multiplier.samples) {
         collect(sample.point->side, sample.factor);
+        sum.push_back({sample.point->side.position, sample.factor});
         if (sample.point->other) {
             collect(*sample.point->other, -sample.factor);
         }
@@ -102,7 +104,8 @@ std::unique_ptr<EdgeCoupling> displacementMoment(const Multiplier& multiplier,
         mean += sample.factor * stiffness.ofDisplacement(*sample.point);
     }
     return std::make_unique<DisplacementPenalty>(nodes.nodes(), std::move(row), components,
-                                                 mean / std::pow(multiplier.length, 2));
+                                                 mean / std::pow(multiplier.length, 2),
+                                                 std::move(sum));
 }
 
 // Moment of the rotation, with the measures of a RotationPenalty at each sample.

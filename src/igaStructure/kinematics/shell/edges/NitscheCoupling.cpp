@@ -40,6 +40,24 @@ EdgeCoupling::Answer NitscheCoupling::answer(const VectorXd& displacement, Strai
     return answer;
 }
 
+void NitscheCoupling::followAt(const Vector3d& position, const Vector3d& step,
+                               const Vector3d& components) {
+    position_ = position;
+    step_ = step;
+    components_ = components;
+}
+
+EdgeCoupling::Shift NitscheCoupling::shift(const VectorField& motion, double time) const {
+    const Vector3d forward = motion.value(position_ + step_, time);
+    const Vector3d backward = motion.value(position_ - step_, time);
+    VectorXd prescribed = VectorXd::Zero(7);
+    prescribed.head<3>() = components_.cwiseProduct(motion.value(position_, time));
+    prescribed.segment<3>(3) = components_.cwiseProduct(forward - backward) / (2 * step_.norm());
+    const VectorXd stiff = stabilisation_ * prescribed;
+    return {traction_.transpose() * prescribed - held_.transpose() * stiff,
+            0.5 * prescribed.dot(stiff), prescribed.head<3>().lpNorm<Eigen::Infinity>()};
+}
+
 namespace {
 
 // One side of an edge: the elements whose tractions are taken.
@@ -169,9 +187,15 @@ class NitscheBuilder {
             addColumns(signs.asDiagonal() * tractions[s], tractionColumns[s], weights_[s],
                        traction);
         }
-        return std::make_unique<NitscheCoupling>(nodes.nodes(), std::move(held),
-                                                 point.weight * traction,
-                                                 factor_ * point.weight * stiffness);
+        auto coupling = std::make_unique<NitscheCoupling>(nodes.nodes(), std::move(held),
+                                                          point.weight * traction,
+                                                          factor_ * point.weight * stiffness);
+        constexpr double part = 1e-4; // exact to digits, and far from rounding
+        coupling->followAt(point.side.position,
+                           part * point.side.elementLength() * point.side.baseVectors *
+                               point.side.tangent,
+                           held_.head<3>());
+        return coupling;
     }
 
   private:

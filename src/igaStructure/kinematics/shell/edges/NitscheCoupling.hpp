@@ -24,9 +24,20 @@ class NitscheCoupling : public EdgeCoupling {
 
     Answer answer(const Eigen::VectorXd& displacement, Strains strains,
                   bool withTangent) const override;
+    /// Needs followAt().
+    Shift shift(const VectorField& motion, double time) const override;
     Eigen::MatrixXd restRows() const override { return held_; }
 
+    /// Where the motion of a support is taken.
+    /// @param step        along the edge, for its derivative; a part of an element [m]
+    /// @param components  that are held
+    void followAt(const Eigen::Vector3d& position, const Eigen::Vector3d& step,
+                  const Eigen::Vector3d& components);
+
   private:
+    Eigen::Vector3d position_ = Eigen::Vector3d::Zero();
+    Eigen::Vector3d step_ = Eigen::Vector3d::Zero();
+    Eigen::Vector3d components_ = Eigen::Vector3d::Zero();
     Eigen::MatrixXd held_, traction_, stabilisation_;
 };
 

@@ -3,6 +3,7 @@
 
 #include "common/errors.hpp"
 #include "igaStructure/assembly/RigidMotions.hpp"
+#include "igaStructure/kinematics/curvePoints.hpp"
 #include "igaStructure/kinematics/shell/edges/GhostStabilisation.hpp"
 #include "igaStructure/kinematics/shell/edges/MultiplierCoupling.hpp"
 #include "igaStructure/kinematics/shell/edges/NitscheCoupling.hpp"
@@ -66,7 +67,8 @@ class ConstraintsBuilder {
     ConstraintsBuilder(const ShellDescription& description, const ShellPatches& patches, int nNodes)
         : description_(description), method_(description.chosenEdgeMethod()), patches_(patches) {
         requirePossible();
-        constraints_.supported.assign(3 * nNodes, false);
+        atRest_.assign(3 * nNodes, false);
+        moving_ = atRest_;
     }
 
     ShellConstraints build() {
@@ -74,10 +76,13 @@ class ConstraintsBuilder {
             for (const geometry::BrepTrim& trim : support.trims) {
                 hold(support, trim);
             }
+            ownTheRest();
         }
         for (const PointSupport& support : description_.pointSupports) {
             hold(support);
+            ownTheRest();
         }
+        constraints_.owners.resize(moving_.size(), -1);
         for (const geometry::BrepEdge& edge : description_.model.edges()) {
             for (std::size_t k = 1; k < edge.trims.size(); ++k) {
                 join(edge.trims[0], edge.trims[k]);
@@ -87,6 +92,12 @@ class ConstraintsBuilder {
             holdCreases(static_cast<int>(face));
         }
         addGhostStabilisations();
+        constraints_.supported = atRest_;
+        for (std::size_t k = 0; k < moving_.size(); ++k) {
+            constraints_.supported[k] = atRest_[k] || moving_[k];
+        }
+        constraints_.trace = {std::move(points_), movingOnly(moving_, atRest_), 3};
+        constraints_.couplingOwners.resize(constraints_.couplings.size(), -1);
         constraints_.fixed = constraints_.supported;
         fixNodesWithoutBody();
         return std::move(constraints_);
@@ -124,9 +135,55 @@ class ConstraintsBuilder {
         }
     }
 
-    void fix(const ShellPatch& patch, const std::vector<int>& controlPoints, int component) {
+    // What has been held since the last support is this one's.
+    void ownTheRest() {
+        addOwner(constraints_.owners, atRest_, nSupports_);
+        addOwner(constraints_.owners, moving_, nSupports_);
+        constraints_.couplingOwners.resize(constraints_.couplings.size(), nSupports_);
+        ++nSupports_;
+    }
+
+    void fix(const ShellPatch& patch, const std::vector<int>& controlPoints, int component,
+             const SupportMotion& motion) {
         for (int k : controlPoints) {
-            constraints_.supported[3 * patch.nodes()[k] + component] = true;
+            (motion ? moving_ : atRest_)[3 * patch.nodes()[k] + component] = true;
+        }
+    }
+
+    // The rim follows the motion; where it is clamped across an axis, so does the next row.
+    void follow(const ShellPatch& patch, const std::vector<EdgePoint>& points,
+                const std::array<bool, 3>& components, const SupportMotion& motion,
+                const Rows& rows, std::optional<int> clampedAxis) {
+        for (const EdgePoint& point : points) {
+            points_.push_back({point.side.nodes, point.side.N.row(0), point.weight,
+                               point.side.position, components, motion});
+        }
+        for (std::size_t k = 0; points.empty() && k < rows.rim.size(); ++k) { // a pole
+            points_.push_back({{patch.nodes()[rows.rim[k]]},
+                               Eigen::VectorXd::Ones(1),
+                               1,
+                               patch.surface().controlPoints().row(rows.rim[k]),
+                               components,
+                               motion});
+        }
+        if (!clampedAxis) {
+            return;
+        }
+        std::map<int, int> nextOf;
+        for (std::size_t k = 0; k < rows.rim.size(); ++k) {
+            nextOf[patch.nodes()[rows.rim[k]]] = patch.nodes()[rows.next[k]];
+        }
+        std::array<bool, 3> across = {};
+        across[*clampedAxis] = true;
+        for (const EdgePoint& point : points) {
+            SupportPoint next{{},    point.side.N.row(0), point.weight, point.side.position, across,
+                              motion};
+            for (std::size_t k = 0; k < point.side.nodes.size(); ++k) {
+                const auto found = nextOf.find(point.side.nodes[k]);
+                next.nodes.push_back(found == nextOf.end() ? point.side.nodes[k] : found->second);
+                next.N[static_cast<Eigen::Index>(k)] *= found == nextOf.end() ? 0 : 1;
+            }
+            points_.push_back(std::move(next));
         }
     }
 
@@ -138,19 +195,35 @@ class ConstraintsBuilder {
         if (exact) {
             for (int c = 0; c < 3; ++c) {
                 if (support.fixed[c]) {
-                    fix(patch, rowsAt(patch, *side).rim, c);
+                    fix(patch, rowsAt(patch, *side).rim, c, support.motion);
                 }
             }
         }
         bool clamped = support.clamped && description_.bending;
+        std::optional<int> clampedAxis;
         const std::optional<int> axis = normalAxis(points);
         if (clamped && exact && axis && support.fixed[*axis]) {
-            fix(patch, rowsAt(patch, *side).next, *axis);
+            fix(patch, rowsAt(patch, *side).next, *axis, support.motion);
             clamped = false;
+            clampedAxis = axis;
+        }
+        if (exact && support.motion) {
+            follow(patch, points, support.fixed, support.motion, rowsAt(patch, *side), clampedAxis);
         }
         const bool trims = trim.curve < nTrimmingCurves(patch.patch());
+        const std::size_t first = constraints_.couplings.size();
         holdWeakly(points, exact ? std::array<bool, 3>{} : support.fixed, clamped,
                    {trim.face, trim.face}, trims);
+        if (!exact) {
+            move(first, support.motion);
+        }
+    }
+
+    // Couplings from a number on.
+    void move(std::size_t first, const SupportMotion& motion) {
+        for (std::size_t k = first; motion && k < constraints_.couplings.size(); ++k) {
+            constraints_.moved.push_back({k, motion});
+        }
     }
 
     void hold(const PointSupport& support) {
@@ -160,14 +233,20 @@ class ConstraintsBuilder {
         const bool interpolates = place.N.row(0).maxCoeff(&k) > 1 - 1e-12;
         for (int c = 0; c < 3 && interpolates; ++c) {
             if (support.fixed[c]) {
-                constraints_.supported[3 * place.nodes[k] + c] = true;
+                (support.motion ? moving_ : atRest_)[3 * place.nodes[k] + c] = true;
             }
         }
+        if (interpolates && support.motion) {
+            points_.push_back(
+                {place.nodes, place.N.row(0), 1, place.position, support.fixed, support.motion});
+        }
         if (!interpolates) {
+            const std::size_t first = constraints_.couplings.size();
             constraints_.couplings.push_back(std::make_unique<DisplacementPenalty>(
                 place, nullptr, support.fixed,
                 factor(EdgeMethod::penalty) * stiffness(support.face).membrane *
                     Eigen::Matrix3d::Identity()));
+            move(first, support.motion);
         }
     }
 
@@ -275,6 +354,9 @@ class ConstraintsBuilder {
     const EdgeMethod method_;
     const ShellPatches& patches_;
     ShellConstraints constraints_;
+    int nSupports_ = 0;
+    std::vector<bool> atRest_, moving_; ///< unknowns that supports hold
+    std::vector<SupportPoint> points_;  ///< of exact supports that move
 };
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "igaStructure/assembly/SupportLoad.hpp"
 #include "igaStructure/kinematics/shell/edges/EdgeCoupling.hpp"
 #include "igaStructure/kinematics/shell/element/ShellDescription.hpp"
 
@@ -16,7 +17,18 @@ using ShellPatches = std::vector<std::unique_ptr<ShellPatch>>;
 struct ShellConstraints {
     std::vector<bool> fixed;     ///< unknowns that are zero: exact supports, and nodes without body
     std::vector<bool> supported; ///< those fixed by supports
+    SupportTrace trace;          ///< of exact supports that move
     std::vector<std::unique_ptr<EdgeCoupling>> couplings;
+    /// Couplings, by their numbers, that hold what a support moves.
+    struct Moved {
+        std::size_t coupling;
+        SupportMotion motion;
+    };
+    std::vector<Moved> moved;
+    /// Support of each unknown: edges, then points.
+    SupportOwners owners;
+    /// Support of each coupling; -1: none.
+    std::vector<int> couplingOwners;
     int nJoints = 0; ///< edges at which patches are joined
 };
 

@@ -5,9 +5,11 @@
 #include "geometry/trimming/PatchQuadrature.hpp"
 #include "igaStructure/assembly/ElasticMaterial.hpp"
 #include "igaStructure/assembly/Field.hpp"
+#include "igaStructure/assembly/SupportTrace.hpp"
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace tokay::structure {
@@ -23,6 +25,8 @@ struct EdgeSupport {
     bool clamped = false;
     /// By penalty even where the basis could do it exactly.
     bool weak = false;
+    SupportMotion motion = nullptr;
+    std::string name = {};
 };
 
 /// Support of a point of a face.
@@ -30,6 +34,8 @@ struct PointSupport {
     int face = 0;
     geometry::Parameters at;
     std::array<bool, 3> fixed = {false, false, false};
+    SupportMotion motion = nullptr;
+    std::string name = {};
 };
 
 /// Loads of a shell; those that follow the deformation are pressure and moment.

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "igaStructure/timeIntegration/supportMotion.hpp"
+#include "igaStructure/timeIntegration/supportRates.hpp"
 
 #include "common/errors.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace tokay::structure {
 
@@ -24,10 +26,10 @@ SupportRates supportRates(const StructuralModel& model, double time, double inte
 }
 
 void requireSupportsAtRest(const StructuralModel& model, double startTime) {
-    if (!model.hasPrescribedMotion()) {
-        return;
+    double largest = model.supportShift(startTime).largest;
+    if (model.hasPrescribedMotion()) {
+        largest = std::max(largest, model.prescribed(startTime).lpNorm<Eigen::Infinity>());
     }
-    const double largest = model.prescribed(startTime).lpNorm<Eigen::Infinity>();
     // What rounding leaves of formulas that are zero there.
     if (largest > 1e-12 * model.size()) {
         throw InputError(fmt::format(
