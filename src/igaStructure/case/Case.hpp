@@ -24,8 +24,8 @@ struct TimeSteps {
 };
 
 /// Geometry, model, material, supports and loads of one of the kinematics.
-using StructureCase =
-    std::variant<PlaneSolidCase, BeamDescription, ShellDescription, SolidDescription>;
+using StructureCase = std::variant<PlaneSolidCase, PlanePatchesCase, BeamDescription,
+                                   ShellDescription, SolidDescription>;
 
 /// All that a case file says, checked and with its defaults.
 struct Case {

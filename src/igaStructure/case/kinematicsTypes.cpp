@@ -10,6 +10,14 @@ namespace tokay::structure {
 
 namespace {
 
+template <class Description>
+StructureCase asCase(Description description) {
+    return description;
+}
+StructureCase asCase(const PlaneCase& either) {
+    return std::visit([](const auto& one) -> StructureCase { return one; }, either);
+}
+
 template <class Entries, class Description>
 class EntriesOf : public BodyEntries {
   public:
@@ -19,7 +27,7 @@ class EntriesOf : public BodyEntries {
     void* entries() override { return &entries_; }
     Coupling& coupling() override { return entries_.coupling; }
     StructureCase make(const CaseContext& context) const override {
-        return make_(entries_, context);
+        return asCase(make_(entries_, context));
     }
 
   private:

@@ -4,6 +4,7 @@
 #include "igaStructure/assembly/GeometryError.hpp"
 #include "igaStructure/kinematics/beam/BeamBody.hpp"
 #include "igaStructure/kinematics/plane/PlaneBody.hpp"
+#include "igaStructure/kinematics/plane/PlanePatchesBody.hpp"
 #include "igaStructure/kinematics/shell/ShellBody.hpp"
 #include "igaStructure/kinematics/solid/SolidBody.hpp"
 
@@ -15,6 +16,10 @@ namespace {
 std::unique_ptr<Body> make(const PlaneSolidCase& solid) {
     return std::make_unique<PlaneBody>(PlaneSolid(solid.surface, solid.material, solid.strains,
                                                   solid.supports, solid.loads, solid.isSlit));
+}
+
+std::unique_ptr<Body> make(const PlanePatchesCase& solid) {
+    return std::make_unique<PlanePatchesBody>(solid);
 }
 
 std::unique_ptr<Body> make(const BeamDescription& beam) {

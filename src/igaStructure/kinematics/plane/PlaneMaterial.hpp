@@ -18,6 +18,14 @@ struct PlaneMaterial : ElasticMaterial {
     /// Second Piola-Kirchhoff stress for Green-Lagrange strain [Pa].
     Eigen::Matrix3d stiffness() const;
 
+    /// Cauchy stress at a displacement gradient [Pa].
+    Eigen::Matrix3d cauchyStress(const Eigen::Matrix2d& displacementGradient,
+                                 Strains strains) const;
+
+    /// A material with the same stresses in plane stress: its Young's modulus and Poisson's
+    /// ratio are E / (1 - nu^2) and nu / (1 - nu) in plane strain.
+    ElasticMaterial asPlaneStress() const;
+
     /// Strain 33 that goes with in-plane strains.
     double thicknessStrain(const Eigen::Vector3d& strain) const;
 

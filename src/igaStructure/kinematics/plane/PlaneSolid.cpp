@@ -288,17 +288,7 @@ PlaneState PlaneSolid::stateAt(double xi, double eta, const Eigen::VectorXd& dis
     }
     const Eigen::Matrix2d jacobian = basis.N.middleRows(1, 2) * x.transpose();
     const Eigen::Matrix2d H = u * (jacobian.inverse() * basis.N.middleRows(1, 2)).transpose();
-    const Strain strain = this->strain(H);
-    Eigen::Matrix3d stress = Eigen::Matrix3d::Zero(); // second Piola-Kirchhoff
-    stress.topLeftCorner<2, 2>() = symmetric(stiffness_ * strain.value);
-    stress(2, 2) = material_.thicknessStress(strain.value);
-    if (strains_ == Strains::nonlinear) {
-        Eigen::Matrix3d F = Eigen::Matrix3d::Zero();
-        F.topLeftCorner<2, 2>() = strain.gradient;
-        F(2, 2) = std::sqrt(1 + 2 * material_.thicknessStrain(strain.value));
-        stress = F * stress * F.transpose() / F.determinant();
-    }
-    return {u * basis.N.row(0).transpose(), stress};
+    return {u * basis.N.row(0).transpose(), material_.cauchyStress(H, strains_)};
 }
 
 } // namespace tokay::structure

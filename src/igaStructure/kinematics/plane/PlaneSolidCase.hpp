@@ -5,6 +5,7 @@
 #include "igaStructure/kinematics/plane/Loads.hpp"
 #include "igaStructure/kinematics/plane/PlaneMaterial.hpp"
 #include "igaStructure/kinematics/plane/Supports.hpp"
+#include "igaStructure/kinematics/shell/element/ShellDescription.hpp"
 
 namespace tokay::structure {
 
@@ -16,6 +17,12 @@ struct PlaneSolidCase {
     std::vector<Support> supports;
     Loads loads;
     bool isSlit; ///< opposite edges that coincide stay apart
+};
+
+/// Description of a plane solid of trimmed patches: a membrane that stays in its plane.
+struct PlanePatchesCase {
+    ShellDescription membrane; ///< isPlane; with the material that is the same in plane stress
+    PlaneMaterial material;
 };
 
 } // namespace tokay::structure

@@ -8,6 +8,7 @@
 #include "igaStructure/kinematics/shell/loads/followerPotential.hpp"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -427,7 +428,7 @@ std::vector<std::string> Shell::looseParts() const {
     const std::vector<ShellPart> parts = shellParts(description_.model);
     std::vector<std::string> loose;
     for (const ShellPart& part : parts) {
-        constexpr std::size_t allRigidMotions = 6;
+        const std::size_t allRigidMotions = description_.isPlane ? 3 : 6;
         if (parts.size() > 1 &&
             structure::freeRigidMotions(nodes_.positions, constraints_, nodesOf(part)).size() ==
                 allRigidMotions) {
@@ -486,6 +487,17 @@ Vector3d Shell::displacementAt(int face, const geometry::Parameters& at, double 
                                      description_.strains);
     }
     return value;
+}
+
+Eigen::Matrix2d Shell::planeGradientAt(int face, const geometry::Parameters& at,
+                                       const VectorXd& displacement) const {
+    const PatchLocation place(*patches_[face], at, Eigen::Vector2d::Zero());
+    Eigen::Matrix2d byParameters = Eigen::Matrix2d::Zero();
+    for (std::size_t k = 0; k < place.nodes.size(); ++k) {
+        byParameters += displacement.segment<2>(3 * place.nodes[k]) *
+                        place.N.block<2, 1>(1, static_cast<Eigen::Index>(k)).transpose();
+    }
+    return byParameters * place.baseVectors.topRows<2>().inverse();
 }
 
 ShellState Shell::stateAt(int face, double xi, double eta, const VectorXd& displacement) const {

@@ -81,6 +81,10 @@ class Shell : public StructuralModel {
     Eigen::Vector3d displacementAt(int face, const geometry::Parameters& at, double zeta,
                                    const Eigen::VectorXd& displacement) const;
 
+    /// Derivatives of the displacement by x and y, of a patch in the plane z = 0.
+    Eigen::Matrix2d planeGradientAt(int face, const geometry::Parameters& at,
+                                    const Eigen::VectorXd& displacement) const;
+
     ShellState stateAt(int face, double xi, double eta, const Eigen::VectorXd& displacement) const;
 
   private:

@@ -14,6 +14,7 @@ class ShellBody : public Body {
 
     StructuralModel& model() override { return shell_; }
     const StructuralModel& model() const override { return shell_; }
+    const Shell& shell() const { return shell_; }
     int dimension() const override { return 3; }
     std::string description() const override;
     std::vector<VtuMesh> meshes(const OutputOptions& options) const override;

@@ -68,6 +68,9 @@ class ConstraintsBuilder {
         : description_(description), method_(description.chosenEdgeMethod()), patches_(patches) {
         requirePossible();
         atRest_.assign(3 * nNodes, false);
+        for (int node = 0; description.isPlane && node < nNodes; ++node) {
+            atRest_[3 * node + 2] = true;
+        }
         moving_ = atRest_;
     }
 

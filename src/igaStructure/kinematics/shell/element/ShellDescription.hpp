@@ -119,6 +119,8 @@ struct ShellDescription {
     /// 1e3 and 1e6 if not given. nitsche: factor on the stabilisation, 1 if not given.
     std::optional<double> penalty = std::nullopt;
     SliverTreatment sliverTreatment = SliverTreatment::extension;
+    /// A membrane in the plane z = 0 that stays there: a plane solid.
+    bool isPlane = false;
     geometry::QuadratureOptions cutRule = {};
 };
 
