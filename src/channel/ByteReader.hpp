@@ -22,7 +22,7 @@ class ByteReader {
     std::size_t remaining() const { return remaining_; }
 
     void operator()(bool& value) { value = enumerator(1, "a truth value") != 0; }
-    void operator()(Role& value) { value = static_cast<Role>(enumerator(1, "a role")); }
+    void operator()(Role& value) { value = static_cast<Role>(enumerator(2, "a role")); }
     void operator()(State& value) { value = static_cast<State>(enumerator(3, "a state")); }
     void operator()(std::uint32_t& value) { value = littleEndian<std::uint32_t>(); }
     void operator()(double& value) {

@@ -22,7 +22,8 @@ namespace tokay::channel {
 /// Version of the messages below; both sides must agree.
 constexpr std::uint32_t protocolVersion = 3;
 
-enum class Role : std::uint8_t { fluid, structure };
+/// Sides of a connection. A structure whose edges another one moves has the part of the fluid.
+enum class Role : std::uint8_t { fluid, structure, movedStructure };
 
 /// Random bytes, others in each handshake.
 using Nonce = std::array<std::uint8_t, 32>;

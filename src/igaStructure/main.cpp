@@ -5,6 +5,7 @@
 #include "common/version.hpp"
 #include "igaStructure/case/readCase.hpp"
 #include "igaStructure/coupledRun/CoupledRun.hpp"
+#include "igaStructure/edgeCoupling/runCouple.hpp"
 #include "igaStructure/run/Interruption.hpp"
 #include "igaStructure/run/checkCase.hpp"
 #include "igaStructure/run/runAlone.hpp"
@@ -55,7 +56,7 @@ void run(const RunOptions& options) {
     }
     std::signal(SIGPIPE, SIG_IGN); // a closed log must not end a coupled run
     if (!options.address.empty()) {
-        structure::readCase(options.caseFile); // a mistake is told before a fluid attaches
+        structure::readLoadedCase(options.caseFile); // a mistake is told before a fluid attaches
     }
     // A launching fluid must hear of a mistake in the case file: attach first, then read.
     channel::Channel channel = options.fileDescriptor >= 0
@@ -88,6 +89,31 @@ void addRun(CLI::App& app) {
     command->callback([options] { run(*options); });
 }
 
+void addCouple(CLI::App& app) {
+    CLI::App* command =
+        app.add_subcommand("couple", "Run two structures that are coupled along edges");
+    auto options = std::make_shared<structure::CoupleOptions>();
+    command
+        ->add_option("CASE.yaml", options->caseFiles,
+                     "Case files of the two; the one with coupling.side dirichlet is moved by the "
+                     "other, and loads it")
+        ->required()
+        ->expected(2);
+    auto* connect = command->add_option(
+        "--connect", options->address,
+        "The other one runs already (igaStructure run --listen): unix:/path or tcp://host:port");
+    command
+        ->add_option("--token-file", options->tokenFile,
+                     "File with the secret shared with it; needed with tcp")
+        ->needs(connect);
+    command->add_flag("--mass-matrix", options->printsMassMatrix,
+                      "Print the matrix M_DD of the moved edges");
+    command->callback([options] {
+        std::signal(SIGPIPE, SIG_IGN); // a closed log must not end the other structure
+        structure::runCouple(*options, print);
+    });
+}
+
 void addCheck(CLI::App& app) {
     CLI::App* check =
         app.add_subcommand("check", "Check a case file and say what would be modelled");
@@ -118,6 +144,7 @@ int runProgram(int argc, char** argv) {
     app.set_version_flag("--version", std::string("igaStructure ") + version);
     app.require_subcommand(1);
     addRun(app);
+    addCouple(app);
     addCheck(app);
     addModes(app);
     addEntries(app);

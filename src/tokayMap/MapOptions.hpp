@@ -22,13 +22,15 @@ struct MapOptions {
     std::optional<double> scaleFrom, scaleTo;
     int degree = 1;
     int nDivisions = 1;
+    /// Edges of spline models, by name; empty: the surfaces.
+    std::vector<std::string> edgesFrom, edgesTo;
     /// Names of the files to write; empty: none.
     std::string output, report;
 
     SideOptions sideFrom(mapper::ValuesAt at) const {
-        return {scaleFrom.value_or(1), at, degree, nDivisions};
+        return {scaleFrom.value_or(1), at, degree, nDivisions, edgesFrom};
     }
-    SideOptions sideTo() const { return {scaleTo.value_or(1), toAt, degree, nDivisions}; }
+    SideOptions sideTo() const { return {scaleTo.value_or(1), toAt, degree, nDivisions, edgesTo}; }
 };
 
 } // namespace tokay::tool

@@ -54,6 +54,9 @@ struct SideOptions {
     /// knot span divided into so many.
     int degree = 1;
     int nDivisions = 1;
+    /// Edges of a spline model, by name: the side is these, not the surface. Its values are
+    /// those of all control points, its samples lie in the whole elements that they cut.
+    std::vector<std::string> edges = {};
 };
 
 /// @throws InputError for broken meshes

@@ -88,10 +88,13 @@ void addOperator(CLI::App& app, tool::OperatorOptions& options) {
         ->transform(
             oneOf<MortarBasis>({{"standard", MortarBasis::standard}, {"dual", MortarBasis::dual}}));
     using mapper::SingularMass;
-    app.add_option("--singular", options.mortar.singular,
-                   "mortar, values that the interface leaves open: refuse (default) or minimumNorm")
-        ->transform(oneOf<SingularMass>(
-            {{"refuse", SingularMass::refuse}, {"minimumNorm", SingularMass::minimumNorm}}));
+    app.add_option(
+           "--singular", options.mortar.singular,
+           "mortar, values that the interface leaves open: refuse (default), minimumNorm or "
+           "gradientTerm")
+        ->transform(oneOf<SingularMass>({{"refuse", SingularMass::refuse},
+                                         {"minimumNorm", SingularMass::minimumNorm},
+                                         {"gradientTerm", SingularMass::gradientTerm}}));
 }
 
 void addSides(CLI::App& app, MapOptions& options) {
@@ -104,6 +107,12 @@ void addSides(CLI::App& app, MapOptions& options) {
     app.add_option("--divisions", options.nDivisions,
                    "Parts into which each knot span of spline models is cut")
         ->check(CLI::Range(1, 1000));
+    app.add_option("--from-edges", options.edgesFrom,
+                   "Edges of a spline model FROM, in place of its surface")
+        ->delimiter(',');
+    app.add_option("--to-edges", options.edgesTo,
+                   "Edges of a spline model TO, in place of its surface")
+        ->delimiter(',');
     app.add_option("--scale-from", options.scaleFrom, "Lengths of FROM times this are metres")
         ->check(finitePositive);
     app.add_option("--scale-to", options.scaleTo, "Lengths of TO times this are metres")

@@ -43,6 +43,11 @@ bool isSplineModel(const std::string& path) {
 }
 
 std::unique_ptr<Side> readSide(const std::string& path, const SideOptions& options) {
+    if (!options.edges.empty() && !isSplineModel(path)) {
+        throw InputError(path +
+                         ": only a spline model (cad.json) has edges to name; of a mesh, give "
+                         "a file with its lines");
+    }
     return isSplineModel(path) ? splineSide(path, options)
                                : meshSide(readMesh(path), path, options);
 }

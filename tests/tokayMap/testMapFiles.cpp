@@ -161,6 +161,54 @@ TEST_F(MapFiles, mapsBetweenModelsByMortar) {
     EXPECT_LT(YAML::LoadFile(options.report)["largestError"].as<double>(), 1e-9);
 }
 
+namespace {
+
+/// A plate [x, x + 1] x [0, 1] that is trimmed where x is 1, inside an element of thirds;
+/// its edges are called plate.0 to plate.3 from the bottom on.
+void writeTrimmedPlate(const std::string& path, double x) {
+    using namespace geometry;
+    const bool isLeft = x < 0.5;
+    const ParameterBox kept =
+        isLeft ? ParameterBox{{0, 0}, {1 - x, 1}} : ParameterBox{{1 - x, 0}, {1, 1}};
+    std::vector<BrepFace> faces = {
+        {TrimmedPatch(rectangle(Point(x, 0, 0), 1, 1), {TrimmingLoop::around(kept)}, "plate")}};
+    std::vector<BrepEdge> edges = coincidentEdges(faces, 1e-9);
+    writeCadJson(BrepModel(std::move(faces), std::move(edges)), path);
+}
+
+} // namespace
+
+TEST_F(MapFiles, mapsBetweenTrimmedEdgesWithTheSlopeAcrossThem) {
+    options.from = directory.file("left.json");
+    options.to = directory.file("right.json");
+    writeTrimmedPlate(options.from, 0.2);
+    writeTrimmedPlate(options.to, 0.7);
+    options.edgesFrom = {"plate.1"};
+    options.edgesTo = {"plate.3"};
+    options.field.clear();
+    options.testFunction = "1 + 2*x - 3*y";
+    options.degree = 2;
+    options.nDivisions = 3;
+    options.mapping.kind = Operator::mortar;
+    options.mapping.mortar.singular = mapper::SingularMass::gradientTerm;
+    mapFiles(options);
+    // The whole cut elements of the destination, 1/3 wide, lie on both sides of the edge.
+    EXPECT_LT(YAML::LoadFile(options.report)["largestError"].as<double>(), 1e-10);
+    EXPECT_LT(largestLinearError(options.output, "values"), 1e-10);
+    options.mapping.mortar.singular = mapper::SingularMass::minimumNorm;
+    mapFiles(options);
+    EXPECT_GT(YAML::LoadFile(options.report)["largestError"].as<double>(), 0.1);
+}
+
+TEST_F(MapFiles, refusesEdgesThatAreNotThere) {
+    options.edgesTo = {"plate.1"};
+    expectInputError([&] { mapFiles(options); }, {"to.vtu", "only a spline model"});
+    options.to = directory.file("right.json");
+    writeTrimmedPlate(options.to, 0.7);
+    options.edgesTo = {"plate.7"};
+    expectInputError([&] { mapFiles(options); }, {"plate.7", "plate.3"});
+}
+
 TEST_F(MapFiles, mapsBetweenLinesButNotByMortarFromLinesToFaces) {
     options.from = directory.write("a.obj", "v 0 0 0\nv 0.5 0 0\nv 1 0 0\nl 1 2 3\n");
     const std::string faces = options.to;

@@ -9,7 +9,9 @@ namespace tokay::channel {
 namespace {
 
 std::string nameOf(Role role) {
-    return role == Role::fluid ? "the fluid" : "the structure";
+    return role == Role::fluid       ? "the fluid"
+           : role == Role::structure ? "the structure"
+                                     : "the moved structure";
 }
 
 template <class Expected>
@@ -29,7 +31,7 @@ Handshake::Handshake(Hello own, std::string token)
 }
 
 std::optional<Message> Handshake::begin() const {
-    return own_.role == Role::fluid ? std::optional<Message>(own_) : std::nullopt;
+    return own_.role != Role::structure ? std::optional<Message>(own_) : std::nullopt;
 }
 
 std::optional<Message> Handshake::answer(const Message& message) {
@@ -43,7 +45,7 @@ std::optional<Message> Handshake::answerGreeting(const Message& message) {
     const auto& greeting = require<Hello>(message, awaited());
     requireAcceptable(greeting);
     peer_ = greeting;
-    return own_.role == Role::fluid ? Message(proof(own_.role)) : Message(own_);
+    return own_.role != Role::structure ? Message(proof(own_.role)) : Message(own_);
 }
 
 std::optional<Message> Handshake::answerProof(const Message& message) {
@@ -52,7 +54,7 @@ std::optional<Message> Handshake::answerProof(const Message& message) {
                         " gave a wrong token: give both sides the same secret");
     }
     isComplete_ = true;
-    return own_.role == Role::fluid ? std::nullopt : std::optional<Message>(proof(own_.role));
+    return own_.role != Role::structure ? std::nullopt : std::optional<Message>(proof(own_.role));
 }
 
 void Handshake::requireAcceptable(const Hello& peer) const {
@@ -61,14 +63,18 @@ void Handshake::requireAcceptable(const Hello& peer) const {
                         peer.program + " arrived, " + own_.program + " speaks version " +
                         std::to_string(own_.protocol) + ": install the same Tokay on both sides");
     }
-    if (peer.role == own_.role) {
-        throw PeerError("both sides are " + nameOf(own_.role) + ": connect a fluid to a structure");
+    if ((peer.role == Role::structure) == (own_.role == Role::structure)) {
+        throw PeerError(peer.role == own_.role
+                            ? "both sides are " + nameOf(own_.role) +
+                                  ": connect a fluid to a structure"
+                            : nameOf(own_.role) + " met " + nameOf(peer.role) +
+                                  ": connect each to a structure that is loaded");
     }
 }
 
 Proof Handshake::proof(Role side) const {
-    return own_.role == Role::fluid ? proofOf(side, token_, own_, *peer_)
-                                    : proofOf(side, token_, *peer_, own_);
+    return own_.role != Role::structure ? proofOf(side, token_, own_, *peer_)
+                                        : proofOf(side, token_, *peer_, own_);
 }
 
 std::string Handshake::peerName() const {

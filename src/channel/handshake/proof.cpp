@@ -27,7 +27,7 @@ Nonce randomNonce() {
 }
 
 Proof proofOf(Role side, const std::string& token, const Hello& fluid, const Hello& structure) {
-    const std::string label = side == Role::fluid ? "Tokay fluid" : "Tokay structure";
+    const std::string label = side == Role::structure ? "Tokay structure" : "Tokay fluid";
     Bytes message(label.begin(), label.end());
     for (const Hello* hello : {&fluid, &structure}) {
         const Bytes frame = encodeFrame(*hello);

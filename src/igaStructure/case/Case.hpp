@@ -10,6 +10,7 @@
 #include "igaStructure/timeIntegration/NewtonOptions.hpp"
 #include "igaStructure/timeIntegration/TimeOptions.hpp"
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <variant>
@@ -21,6 +22,9 @@ struct TimeSteps {
     double step;      ///< [s]
     double end;       ///< [s]
     double minDeltaT; ///< a failed step is halved down to this; step: never [s]
+
+    /// A remainder shorter than rounding error is no step.
+    int count() const { return static_cast<int>(std::ceil(end / step * (1 - 1e-12))); }
 };
 
 /// Geometry, model, material, supports and loads of one of the kinematics.

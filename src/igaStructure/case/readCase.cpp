@@ -164,6 +164,7 @@ class CaseReader {
 
     // The tangent of the block method is that of one step of the structure.
     static void requireValid(const Coupling& coupling) {
+        structure::requireValid(coupling);
         if (coupling.substeps > 1 && coupling.options.acceleration.type == "block") {
             throw coupling.error("acceleration",
                                  fmt::format("type 'block' does not go with time.substeps {}: its "

@@ -10,8 +10,6 @@
 
 namespace tokay::structure {
 
-namespace {
-
 Case readCoupledCase(const std::string& caseFile) {
     Case structureCase = readCase(caseFile);
     if (!structureCase.coupling) {
@@ -25,7 +23,15 @@ Case readCoupledCase(const std::string& caseFile) {
     return structureCase;
 }
 
-} // namespace
+Case readLoadedCase(const std::string& caseFile) {
+    Case structureCase = readCoupledCase(caseFile);
+    if (structureCase.coupling->side == CouplingSide::dirichlet) {
+        throw structureCase.coupling->error(
+            "side", "dirichlet: another structure moves this one, which leads: start both by "
+                    "igaStructure couple; beside a fluid the side is neumann");
+    }
+    return structureCase;
+}
 
 channel::Hello structureGreeting() {
     channel::Hello hello;
@@ -39,7 +45,7 @@ void runCoupled(const std::string& caseFile, channel::Channel channel,
     FluidLink link(std::move(channel), options.silenceInterval, report);
     try {
         link.shakeHands(structureGreeting());
-        const Case structureCase = readCoupledCase(caseFile);
+        const Case structureCase = readLoadedCase(caseFile);
         CoupledSession(structureCase, link, options, report).run();
     } catch (const channel::PeerFailure&) {
         throw; // it has ended already

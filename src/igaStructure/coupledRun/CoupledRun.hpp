@@ -2,6 +2,7 @@
 #pragma once
 
 #include "channel/Channel.hpp"
+#include "igaStructure/case/Case.hpp"
 #include "igaStructure/run/StepReport.hpp"
 
 #include <string>
@@ -14,6 +15,14 @@ struct CoupledRunOptions {
     std::string replayFile;      ///< answers these instead of solving; empty: solves
     double silenceInterval = 60; ///< a silent fluid is reported this often [s]
 };
+
+/// Reads a case that can be coupled.
+/// @throws InputError for the first mistake, and if coupling or an implicit scheme is missing
+Case readCoupledCase(const std::string& caseFile);
+
+/// Reads a case that forces load at its interface, as beside a fluid.
+/// @throws InputError also if another structure moves it
+Case readLoadedCase(const std::string& caseFile);
 
 /// What the structure says of itself in a handshake.
 channel::Hello structureGreeting();

@@ -109,12 +109,7 @@ void CoupledSession::start() {
     fluidRetries_ = fluid.retries;
     acceptedTime_ = fluid.startTime;
     boundary_.emplace(*body_, *case_.coupling, fluid);
-    const WetSurface wet = body_->wetSurface(case_.coupling->interface);
-    requireFacesOnBody(wet, fluid);
-    const std::vector<WetPart> parts = wetCoverage(wet, fluid);
-    if (!case_.coupling->interface.empty() && case_.coupling->unreached == UnreachedParts::refuse) {
-        requireReached(parts);
-    }
+    const std::string unreached = boundary_->isEdge() ? "" : checkCoverage(fluid);
     if (options_.replayFile.empty()) {
         participant_ =
             std::make_unique<FsiParticipant>(case_, *body_, *boundary_, fluid, timer_, report_);
@@ -125,14 +120,27 @@ void CoupledSession::start() {
     if (!options_.recordFile.empty()) {
         recorder_.emplace(options_.recordFile, fluid.startTime);
     }
-    std::string text = describeCoupling(*case_.coupling) + describeInterface(fluid, *boundary_) +
-                       boundary_->report() + describeUnreached(parts);
+    std::string text = (boundary_->isEdge() ? describeEdgeCoupling(*case_.coupling)
+                                            : describeCoupling(*case_.coupling)) +
+                       describeInterface(fluid, *boundary_) + boundary_->report() + unreached;
     if (case_.timeSteps) {
-        text += "note: time steps and end come from the fluid; the case's time.step and time.end "
-                "are not used\n";
+        text += fmt::format("note: time steps and end come from {}; the case's time.step and "
+                            "time.end are not used\n",
+                            link_.peer());
     }
     report_(text);
     link_.send(channel::Accepted{describeModel(case_, *body_) + text});
+}
+
+/// @return  parts that the fluid does not reach, in words
+std::string CoupledSession::checkCoverage(const channel::Interface& fluid) const {
+    const WetSurface wet = body_->wetSurface(case_.coupling->interface);
+    requireFacesOnBody(wet, fluid);
+    const std::vector<WetPart> parts = wetCoverage(wet, fluid);
+    if (!case_.coupling->interface.empty() && case_.coupling->unreached == UnreachedParts::refuse) {
+        requireReached(parts);
+    }
+    return describeUnreached(parts);
 }
 
 // The next step, or none if the fluid says goodbye.
@@ -140,7 +148,7 @@ std::optional<BeginStep> CoupledSession::nextStep() {
     const channel::Message message =
         receive(fmt::format("the fluid's next time step, after step {}", step_));
     if (const auto* goodbye = std::get_if<Goodbye>(&message)) {
-        report_("the fluid ends the run: " + goodbye->reason);
+        report_(link_.peer() + " ends the run: " + goodbye->reason);
         link_.send(Goodbye{"all results are written"});
         return std::nullopt;
     }

@@ -29,6 +29,7 @@ class CoupledSession {
 
   private:
     void start();
+    std::string checkCoverage(const channel::Interface& fluid) const;
     std::optional<channel::BeginStep> nextStep();
     void advance(const channel::BeginStep& begin);
     std::optional<channel::Forces> nextForces();

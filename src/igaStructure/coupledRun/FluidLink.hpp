@@ -19,6 +19,9 @@ class FluidLink {
     /// Unless the channel is trusted already.
     void shakeHands(const channel::Hello& own);
 
+    /// "the fluid", or what else has its part.
+    const std::string& peer() const { return channel_.peer(); }
+
     /// As those of Channel. @throws also Interrupted
     void send(const channel::Message& message);
     channel::Message receive(const std::string& waitingFor);

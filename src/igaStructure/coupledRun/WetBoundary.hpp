@@ -20,6 +20,8 @@ class WetBoundary {
     int dimension() const { return dimension_; }
     int nPoints() const { return static_cast<int>(points().rows()); }
     int nFaces() const { return faces_.count(); }
+    /// Whether it is the edge of another structure, whose faces are points.
+    bool isEdge() const { return faces_.mesh().hasOnlyPoints(); }
     /// Of displacements(): dimension times nPoints().
     int nComponents() const { return dimension_ * nPoints(); }
 

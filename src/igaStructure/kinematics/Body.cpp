@@ -2,6 +2,7 @@
 #include "igaStructure/kinematics/Body.hpp"
 
 #include "common/errors.hpp"
+#include "mapper/nearest/NearestElementMapping.hpp"
 
 #include <fmt/format.h>
 
@@ -49,8 +50,28 @@ std::vector<BodyField> Body::fields(const std::vector<std::string>& names) const
     return chosen;
 }
 
+std::unique_ptr<const mapper::CurveInterface>
+Body::edges(const std::vector<std::string>& /*names*/) const {
+    throw InputError("coupling: edges of this kinematics cannot be coupled to another structure; "
+                     "those of planeStrain, planeStress and membrane can");
+}
+
+std::unique_ptr<InterfaceTransfer> Body::edgeTransfer(const Coupling& coupling,
+                                                      const mapper::FaceMesh& points) const {
+    const std::unique_ptr<const mapper::CurveInterface> wet = edges(coupling.interface);
+    constexpr double wholeDepth = 1; // forces of a structure are in N
+    return std::make_unique<InterfaceTransfer>(
+        model(), wet->coordinates(),
+        std::make_unique<mapper::NearestElementMapping>(*wet, points.vertices,
+                                                        mapper::GapLimit{coupling.gapLimit, true}),
+        LoadMapping{mapper::loadsAtVertices(points), nullptr}, mapper::FaceSizes(), wholeDepth);
+}
+
 std::unique_ptr<InterfaceTransfer> Body::transfer(const Coupling& coupling,
                                                   const mapper::FaceMesh& fluid) const {
+    if (fluid.hasOnlyPoints()) {
+        return edgeTransfer(coupling, fluid);
+    }
     const WetSurface surface = wetSurface(coupling.interface);
     const bool isLinear = model().isLinear();
     return std::visit(

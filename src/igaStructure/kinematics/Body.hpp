@@ -80,7 +80,16 @@ class Body {
     /// @param names  of edges or faces of a body that is not thin
     virtual WetSurface wetSurface(const std::vector<std::string>& names) const = 0;
 
-    /// Transfer to and from a fluid's interface.
+    /// Edges at which another structure can be coupled, with the functions of the control
+    /// points that do not vanish there.
+    /// @param names  as the case file names them
+    /// @throws InputError for a name that no edge has, and for a kinematics whose edges
+    ///         cannot be coupled
+    virtual std::unique_ptr<const mapper::CurveInterface>
+    edges(const std::vector<std::string>& names) const;
+
+    /// Transfer to and from a fluid's interface; or, if its faces are points, to and from
+    /// those of another structure's edge: displacements there, and forces [N].
     /// @throws InputError if the two sides do not fit: names, gaps
     std::unique_ptr<InterfaceTransfer> transfer(const Coupling& coupling,
                                                 const mapper::FaceMesh& fluid) const;
@@ -92,6 +101,9 @@ class Body {
     void add(BodyField field) { fields_.push_back(std::move(field)); }
 
   private:
+    std::unique_ptr<InterfaceTransfer> edgeTransfer(const Coupling& coupling,
+                                                    const mapper::FaceMesh& points) const;
+
     /// Depth across the plane of a 2D scene [m]; 1 in space.
     virtual double depth() const { return 1; }
 

@@ -46,7 +46,7 @@ const Choices<TransferMethod>& methodChoices(WetParts parts) {
                         "types leave out the distance from the axis or middle surface."});
         return choices;
     }();
-    return parts == WetParts::all ? ofThinBodies : ofOthers;
+    return isThin(parts) ? ofThinBodies : ofOthers;
 }
 
 const Choices<LoadTransfer>& loadChoices() {
@@ -66,11 +66,41 @@ SchemaOf<Coupling> mappingSchema(WetParts parts) {
             {"loads", &Coupling::loads, loadChoices(), "Mapping of forces."},
             {"gapLimit", &Coupling::gapLimit, "(0, inf)", "",
              std::string("Maximum distance of a point of the fluid from the ") +
-                 (parts == WetParts::all ? "axis or middle surface" : "structure") +
+                 (isThin(parts) ? "axis or middle surface" : "structure") +
                  ", relative to the extent of the interface; beyond it the run does not start."}};
 }
 
+/// Entries for two structures that are coupled along edges.
+SchemaOf<Coupling> pairSchema() {
+    static const Choices<CouplingSide> sides = {
+        {"neumann", CouplingSide::neumann, "takes forces and gives displacements."},
+        {"dirichlet", CouplingSide::dirichlet, "takes displacements and gives forces."}};
+    return {
+        {"side", &Coupling::side, sides,
+         "Coupled to another structure along edges (igaStructure couple): what this one does. "
+         "Beside a fluid: neumann."},
+        {"tolerance", &Coupling::tolerance, "(0, 1]", "",
+         "side dirichlet: relative residual of the displacement that ends a time step's coupling "
+         "iterations.",
+         otherwise(fmt::format("`{:g}`", Coupling::defaultTolerance))},
+        {"maxIterations", &Coupling::maxIterations, "[1, inf)", "",
+         "side dirichlet: coupling iterations in a time step; if they do not converge the run "
+         "fails.",
+         otherwise(fmt::format("`{}`", Coupling::defaultMaxIterations))}};
+}
+
 } // namespace
+
+void requireValid(const Coupling& coupling) {
+    for (const auto& [name, isGiven] :
+         {std::pair("tolerance", coupling.tolerance.has_value()),
+          std::pair("maxIterations", coupling.maxIterations.has_value())}) {
+        if (isGiven && coupling.side == CouplingSide::neumann) {
+            throw coupling.error(name, "goes with side: dirichlet, which leads the coupled run; "
+                                       "beside a fluid, residualControl has the tolerance");
+        }
+    }
+}
 
 SchemaOf<Coupling> couplingSchema(WetParts parts) {
     static const Choices<UnreachedParts> unreached = {
@@ -83,27 +113,49 @@ SchemaOf<Coupling> couplingSchema(WetParts parts) {
          required},
         {"unreached", &Coupling::unreached, unreached,
          "Wet parts before which no face of the fluid lies, so that no force acts there."}};
+    const SchemaOf<Coupling> edges = {
+        {"interface", &Coupling::interface,
+         "Edges of the model, by name, that meet another structure (igaStructure couple); a fluid "
+         "wets the whole body.",
+         otherwise("`[]`")}};
     const SchemaOf<Coupling> others = {
         {"mapping", mappingSchema(parts), "Transfer between fluid and structure."}};
-    return (parts == WetParts::all ? SchemaOf<Coupling>() : SchemaOf<Coupling>().with(interface))
+    const bool hasEdges = parts == WetParts::edges || parts == WetParts::surface;
+    return SchemaOf<Coupling>()
+        .with(!isThin(parts) ? interface : hasEdges ? edges : SchemaOf<Coupling>())
         .with(others)
+        .with(hasEdges ? pairSchema() : SchemaOf<Coupling>())
         .with(&Coupling::options, coupling::couplingSchema());
 }
 
-std::string describeCoupling(const Coupling& coupling) {
+namespace {
+
+std::string describeMethod(const Coupling& coupling) {
     coupling::CouplingOptions options = coupling.options;
     const std::string substeps =
         coupling.substeps == 1 ? ""
                                : fmt::format("\n  {} structural time steps per time step of the "
                                              "fluid, which excludes the acceleration block",
                                              coupling.substeps);
-    return fmt::format(
-        "coupling: interface {}, displacements {}, loads {}, gap limit {:g}\n  {}{}\n",
-        coupling.interface.empty() ? "the whole body"
-                                   : fmt::format("{}", fmt::join(coupling.interface, " ")),
-        nameOf(coupling.method, methodChoices(WetParts::all)),
-        nameOf(coupling.loads, loadChoices()), coupling.gapLimit,
-        describeOptions(coupling::couplingSchema(), &options), substeps);
+    return fmt::format("  {}{}\n", describeOptions(coupling::couplingSchema(), &options), substeps);
+}
+
+} // namespace
+
+std::string describeCoupling(const Coupling& coupling) {
+    return fmt::format("coupling: interface {}, displacements {}, loads {}, gap limit {:g}\n",
+                       coupling.interface.empty()
+                           ? "the whole body"
+                           : fmt::format("{}", fmt::join(coupling.interface, " ")),
+                       nameOf(coupling.method, methodChoices(WetParts::all)),
+                       nameOf(coupling.loads, loadChoices()), coupling.gapLimit) +
+           describeMethod(coupling);
+}
+
+std::string describeEdgeCoupling(const Coupling& coupling) {
+    return fmt::format("coupling: edges {}, gap limit {:g}\n", fmt::join(coupling.interface, " "),
+                       coupling.gapLimit) +
+           describeMethod(coupling);
 }
 
 } // namespace tokay::structure

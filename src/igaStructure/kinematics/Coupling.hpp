@@ -4,6 +4,7 @@
 #include "common/Schema.hpp"
 #include "coupling/step/CouplingOptions.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,8 +29,20 @@ enum class LoadTransfer {
 /// What to do about wet parts that no face of the fluid reaches.
 enum class UnreachedParts { refuse, accept };
 
+/// What a structure takes at its coupled edges.
+enum class CouplingSide {
+    neumann,  ///< forces, and gives displacements, as beside a fluid
+    dirichlet ///< displacements, and gives forces; beside another structure
+};
+
 /// Entries of `coupling` in the case file.
 struct Coupling : Located {
+    static constexpr double defaultTolerance = 1e-8;
+    static constexpr int defaultMaxIterations = 50;
+
+    CouplingSide side = CouplingSide::neumann;
+    std::optional<double> tolerance;  ///< of the dirichlet side
+    std::optional<int> maxIterations; ///< of the dirichlet side
     TransferMethod method = TransferMethod::nearestElement;
     LoadTransfer loads = LoadTransfer::integrated;
     std::vector<std::string> interface; ///< names of the wet parts; empty: all of a thin body
@@ -40,7 +53,15 @@ struct Coupling : Located {
 };
 
 /// What of a body can be wet.
-enum class WetParts { edges, faces, all };
+enum class WetParts {
+    edges,
+    faces,
+    all,    ///< of a line
+    surface ///< all of a surface, whose edges may meet another structure
+};
+constexpr bool isThin(WetParts parts) {
+    return parts == WetParts::all || parts == WetParts::surface;
+}
 
 /// Entries of `coupling` of a body with given wet parts.
 SchemaOf<Coupling> couplingSchema(WetParts parts);
@@ -48,7 +69,7 @@ SchemaOf<Coupling> couplingSchema(WetParts parts);
 template <WetParts parts>
 struct CouplingEntries : Coupling {
     CouplingEntries() {
-        if (parts == WetParts::all) {
+        if (isThin(parts)) {
             method = TransferMethod::offset;
             gapLimit = 0.1;
         }
@@ -61,7 +82,12 @@ struct CouplingEntries : Coupling {
     }
 };
 
+/// @throws InputError for entries that do not fit each other
+void requireValid(const Coupling& coupling);
+
 /// Options in effect, for the log: several lines.
 std::string describeCoupling(const Coupling& coupling);
+/// The same of those that count beside another structure.
+std::string describeEdgeCoupling(const Coupling& coupling);
 
 } // namespace tokay::structure

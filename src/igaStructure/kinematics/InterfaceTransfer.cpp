@@ -189,8 +189,10 @@ std::string InterfaceTransfer::report() const {
     if (loads_.mapping) {
         text += "\nforces of the fluid's faces, integrated, " + loads_.mapping->report().text();
     }
-    text += fmt::format("  a face measures {:.3g} to {:.3g} knot spans\n", sizes_.smallest,
-                        sizes_.largest);
+    if (sizes_.nFaces > 0) {
+        text += fmt::format("  a face measures {:.3g} to {:.3g} knot spans\n", sizes_.smallest,
+                            sizes_.largest);
+    }
     if (loads_.loadsPoints && sizes_.nOverSpan > 0) {
         text += fmt::format(
             "  WARNING: {} of {} faces are larger than a knot span and load only some of those "

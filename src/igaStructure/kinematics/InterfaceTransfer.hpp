@@ -49,7 +49,7 @@ class InterfaceTransfer {
     /// @param model          is kept by reference
     /// @param controlPoints  in the reference configuration, n x 3 [m]
     /// @param displacements  from the control points to the fluid's points
-    /// @param sizes          of the fluid's faces, for the report
+    /// @param sizes          of the fluid's faces, for the report; none: they are points
     /// @param depth          of a plane body [m]; 1 in space
     InterfaceTransfer(const StructuralModel& model, geometry::Points controlPoints,
                       std::unique_ptr<const mapper::Mapping> displacements, LoadMapping loads,

@@ -39,6 +39,11 @@ struct OutputOptions {
 
     static const SchemaOf<OutputOptions>& schema();
 
+    /// Whether a run alone writes results after a step.
+    bool writesAt(int step, bool isLast) const {
+        return interval > 0 && (isLast || step % interval == 0);
+    }
+
     /// @throws InputError for names of watch points that would break their table
     void requireValid() const;
 };

@@ -61,8 +61,8 @@ SchemaOf<Entries> bodySchema(const std::string& loads) {
         {"supports", &Entries::supports, "Supports; an empty list leaves the body free.", required},
         {"loads", &Entries::loads, "Loads besides those of a fluid; " + loads + ".",
          otherwise("`[]`")},
-        {"coupling", &Entries::coupling, "Coupling to a fluid; ignored in a run alone.",
-         otherwise("none")}};
+        {"coupling", &Entries::coupling,
+         "Coupling to a fluid or another structure; ignored in a run alone.", otherwise("none")}};
 }
 
 } // namespace tokay::structure

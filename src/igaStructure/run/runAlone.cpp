@@ -13,7 +13,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <memory>
 
 namespace tokay::structure {
@@ -29,16 +28,6 @@ TimeSteps requireTimeSteps(const Case& structureCase) {
     return *structureCase.timeSteps;
 }
 
-// A remainder shorter than rounding error is no step.
-int numberOfSteps(const TimeSteps& steps) {
-    return static_cast<int>(std::ceil(steps.end / steps.step * (1 - 1e-12)));
-}
-
-bool writesResults(const Case& structureCase, int step, bool isLast) {
-    const int interval = structureCase.output.interval;
-    return interval > 0 && (isLast || step % interval == 0);
-}
-
 /// A stepper and the largest number of its steps.
 struct Advance {
     std::unique_ptr<Stepper> stepper;
@@ -49,7 +38,7 @@ struct Advance {
 Advance makeAdvance(const TimeScheme& scheme, const Case& structureCase, const TimeSteps& steps,
                     StructuralModel& model, const Report& /*report*/) {
     return {std::make_unique<ImplicitStepper>(model, scheme, structureCase.newton, steps.minDeltaT),
-            numberOfSteps(steps)};
+            steps.count()};
 }
 
 Advance makeAdvance(const CentralDifferences& /*scheme*/, const Case& /*structureCase*/,
@@ -57,7 +46,7 @@ Advance makeAdvance(const CentralDifferences& /*scheme*/, const Case& /*structur
     auto integrator = std::make_unique<ExplicitIntegrator>(model, 0);
     report(fmt::format("  explicit: stable step about {:.3g} s\n",
                        integrator->stableStep(integrator->state().displacement)));
-    return {std::move(integrator), numberOfSteps(steps)};
+    return {std::move(integrator), steps.count()};
 }
 
 Advance makeAdvance(const EquilibriumPath& path, const Case& structureCase, const TimeSteps& steps,
@@ -96,7 +85,7 @@ void runAlone(const Case& structureCase, const Report& report) {
         stepReport.lastResidual = effort.residual;
         stepReport.note = effort.note;
         output.finishStep(stepReport, stepper.state(), stepper.energies(), timer,
-                          writesResults(structureCase, step, isLast));
+                          structureCase.output.writesAt(step, isLast));
     }
     if (const double time = stepper.state().time; time < steps.end) {
         report(fmt::format("warning: the path has taken all its {} steps (time.maxSteps) and is at "

@@ -150,6 +150,12 @@ Eigen::MatrixXd TimeIntegrator::responses(const Eigen::MatrixXd& forces) {
     return (1 - scheme_.alphaF) * solver_->solveAll(forces);
 }
 
+// Reactions enter the balance as other forces do, old ones with the factor alphaF.
+VectorXd TimeIntegrator::reaction() const {
+    const VectorXd inBalance = reaction_.size() > 0 ? reaction_ : balance(displacement_).reaction;
+    return (inBalance - scheme_.alphaF * state_.reaction) / (1 - scheme_.alphaF);
+}
+
 void TimeIntegrator::acceptTimeStep() {
     MotionState next;
     next.time = time_;
@@ -157,9 +163,7 @@ void TimeIntegrator::acceptTimeStep() {
     next.acceleration = accelerationFor(displacement_);
     next.velocity = velocityFor(next.acceleration);
     next.force = force_;
-    // Reactions enter the balance as other forces do, old ones with the factor alphaF.
-    const VectorXd reaction = reaction_.size() > 0 ? reaction_ : balance(displacement_).reaction;
-    next.reaction = (reaction - scheme_.alphaF * state_.reaction) / (1 - scheme_.alphaF);
+    next.reaction = reaction();
     updateEnergies(next);
     state_ = std::move(next);
 }

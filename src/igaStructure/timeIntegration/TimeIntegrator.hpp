@@ -91,6 +91,9 @@ class TimeIntegrator {
     /// Displacement found by the last solve() [m].
     const Eigen::VectorXd& displacement() const { return displacement_; }
     const Energies& energies() const { return energies_; }
+    /// Reactions of supports at the end of the step in the last solution, 0 where nothing is
+    /// fixed [N].
+    Eigen::VectorXd reaction() const;
 
     /// Newton iterations of the last solve; 1 for a linear structure.
     int nIterations() const { return nIterations_; }

@@ -70,24 +70,29 @@ class TrimmedEdge : public InterfaceCurve {
     Functions functions(double xi) const override {
         const Point at = curve_.parameterCurve().point(xi);
         const geometry::SurfaceBasis basis = curve_.surface().basis(at[0], at[1], 0);
-        Functions functions{basis.controlPoints, basis.N.row(0)};
-        for (int& number : functions.values) {
-            number = controlPoints_[number];
-        }
-        return functions;
+        return renumbered({basis.controlPoints, basis.N.row(0)});
+    }
+    Functions slope(double xi, const Point& direction) const override {
+        const Point at = curve_.parameterCurve().point(xi);
+        return renumbered(directionalDerivative(curve_.surface(), at[0], at[1], direction));
     }
     geometry::Box box() const override { return curve_.box(); }
     std::vector<NormalSlope> normalSlopes() const override {
         std::vector<NormalSlope> slopes = mapper::normalSlopes(curve_);
         for (NormalSlope& slope : slopes) {
-            for (int& number : slope.values) {
-                number = controlPoints_[number];
-            }
+            static_cast<Functions&>(slope) = renumbered(slope);
         }
         return slopes;
     }
 
   private:
+    Functions renumbered(Functions functions) const {
+        for (int& number : functions.values) {
+            number = controlPoints_[number];
+        }
+        return functions;
+    }
+
     geometry::CurveOnSurface curve_;
     std::vector<int> controlPoints_;
 };

@@ -14,6 +14,8 @@ namespace tokay::mapper {
 /// derivatives along the surface, normal to the edge [1/m].
 struct NormalSlope : Functions {
     double measure; ///< area that the point stands for [m^2]
+    Point foot;     ///< closest place on the edge [m]
+    Point normal;   ///< unit vector along the surface, across the edge
 };
 
 /// Curve of an interface, with the functions that live on it.
@@ -35,6 +37,10 @@ class InterfaceCurve {
     virtual Functions functions(double xi) const = 0;
 
     virtual geometry::Box box() const = 0;
+
+    /// The functions' derivatives along a direction at a place of the curve [1/m]; none if
+    /// they are known on the curve only.
+    virtual Functions slope(double /*xi*/, const Point& /*direction*/) const { return {}; }
 
     /// Normal slopes in the whole elements that the curve cuts or, along a knot line, touches; none
     /// if the curve is not the edge of a patch.

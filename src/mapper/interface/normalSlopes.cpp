@@ -43,34 +43,51 @@ ParameterBox boxOf(const NurbsSurface& surface, const std::array<int, 2>& span) 
     return {{u[span[0]], v[span[1]]}, {u[span[0] + 1], v[span[1] + 1]}};
 }
 
-NormalSlope slopeAt(const CurveOnSurface& edge, double xi, double eta, double weight) {
-    const geometry::SurfaceBasis basis = edge.surface().basis(xi, eta, 1);
-    const Points d = edge.surface().derivatives(xi, eta, 1);
+} // namespace
+
+Functions directionalDerivative(const NurbsSurface& surface, double xi, double eta,
+                                const Point& direction) {
+    const geometry::SurfaceBasis basis = surface.basis(xi, eta, 1);
+    const Points d = surface.derivatives(xi, eta, 1);
     Eigen::Matrix<double, 3, 2> tangents;
     tangents << d.row(1).transpose(), d.row(2).transpose();
+    // The parameters change so along a step of length 1 in that direction.
+    const Eigen::Vector2d step =
+        (tangents.transpose() * tangents).inverse() * (tangents.transpose() * direction);
+    return {basis.controlPoints, basis.N.bottomRows(2).transpose() * step};
+}
+
+namespace {
+
+NormalSlope slopeAt(const CurveOnSurface& edge, double xi, double eta, double weight) {
+    const Points d = edge.surface().derivatives(xi, eta, 1);
     const Point areaVector = Point(d.row(1)).cross(Point(d.row(2)));
     const geometry::CurveProjection foot = edge.closest(d.row(0));
-    const Point along = edge.derivatives(foot.xi, 1).row(1);
-    const Point normal = areaVector.cross(along).normalized();
-    // The parameters change so along a step of length 1 in the direction of the normal.
-    const Eigen::Vector2d step =
-        (tangents.transpose() * tangents).inverse() * (tangents.transpose() * normal);
+    const Points onEdge = edge.derivatives(foot.xi, 1);
     NormalSlope slope;
-    slope.values = basis.controlPoints;
-    slope.weights = basis.N.bottomRows(2).transpose() * step;
+    slope.foot = onEdge.row(0);
+    slope.normal = areaVector.cross(Point(onEdge.row(1))).normalized();
+    static_cast<Functions&>(slope) = directionalDerivative(edge.surface(), xi, eta, slope.normal);
     slope.measure = weight * areaVector.norm();
     return slope;
 }
 
 } // namespace
 
+std::vector<ParameterBox> cutElements(const CurveOnSurface& edge) {
+    std::vector<ParameterBox> boxes;
+    for (const std::array<int, 2>& span : cutSpans(edge)) {
+        boxes.push_back(boxOf(edge.surface(), span));
+    }
+    return boxes;
+}
+
 std::vector<NormalSlope> normalSlopes(const CurveOnSurface& edge) {
     const NurbsSurface& surface = edge.surface();
     const auto& alongU = geometry::gaussLegendre(surface.u().degree() + 1);
     const auto& alongV = geometry::gaussLegendre(surface.v().degree() + 1);
     std::vector<NormalSlope> slopes;
-    for (const std::array<int, 2>& span : cutSpans(edge)) {
-        const ParameterBox box = boxOf(surface, span);
+    for (const ParameterBox& box : cutElements(edge)) {
         for (std::size_t j = 0; j < alongV.points.size(); ++j) {
             for (std::size_t i = 0; i < alongU.points.size(); ++i) {
                 slopes.push_back(slopeAt(edge, box.lower[0] + alongU.points[i] * box.size()[0],

@@ -53,25 +53,21 @@ int largestDegree(const CurveInterface& interface) {
 
 } // namespace
 
-void integrateIntersection(const CurveInterface& from, const CurveInterface& to,
-                           const GapLimit& gapLimit, int nExtraPoints, MortarAssembler& assembler,
-                           GapStatistics& gaps) {
-    std::vector<std::vector<double>> cuts = projectedBreakpoints(from, to, gapLimit);
+void visitCommonPoints(const CurveInterface& from, const CurveInterface& to,
+                       const CommonIntervals& common,
+                       const std::function<void(const CommonPoint&)>& visit,
+                       const std::function<void()>& endElement) {
+    std::vector<std::vector<double>> cuts = projectedBreakpoints(from, to, common.gapLimit);
     const int degreeFrom = largestDegree(from);
 
-    const auto integrateInterval = [&](const InterfaceCurve& curve, double first, double last) {
+    const auto visitInterval = [&](const InterfaceCurve& curve, double first, double last) {
         const auto& rule =
-            geometry::gaussLegendre(nGaussPoints(curve.degree(), degreeFrom, nExtraPoints));
+            geometry::gaussLegendre(nGaussPoints(curve.degree(), degreeFrom, common.nExtraPoints));
         for (std::size_t k = 0; k < rule.points.size(); ++k) {
             const double xi = first + (last - first) * rule.points[k];
             const Points d = curve.derivatives(xi, 1);
             const double weight = rule.weights[k] * (last - first) * d.row(1).norm();
-            const Location partner = from.locate(d.row(0));
-            if (gaps.count(d.row(0), partner.gap, partner.converged, partner.ambiguous, weight)) {
-                assembler.add(weight, curve.functions(xi), partner);
-            } else {
-                assembler.addUnmatched(curve.functions(xi));
-            }
+            visit({d.row(0), weight, curve.functions(xi), from.locate(d.row(0))});
         }
     };
     for (int i = 0; i < to.nCurves(); ++i) {
@@ -80,11 +76,28 @@ void integrateIntersection(const CurveInterface& from, const CurveInterface& to,
         for (std::size_t e = 0; e + 1 < elements.size(); ++e) {
             const std::vector<double> ends = intervals(elements[e], elements[e + 1], cuts[i]);
             for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
-                integrateInterval(to.curve(i), ends[k], ends[k + 1]);
+                visitInterval(to.curve(i), ends[k], ends[k + 1]);
             }
-            assembler.endGroup();
+            endElement();
         }
     }
+}
+
+void integrateIntersection(const CurveInterface& from, const CurveInterface& to,
+                           const GapLimit& gapLimit, int nExtraPoints, MortarAssembler& assembler,
+                           GapStatistics& gaps) {
+    visitCommonPoints(
+        from, to, {gapLimit, nExtraPoints},
+        [&](const CommonPoint& at) {
+            const Location& partner = at.from;
+            if (gaps.count(at.position, partner.gap, partner.converged, partner.ambiguous,
+                           at.weight)) {
+                assembler.add(at.weight, at.to, partner);
+            } else {
+                assembler.addUnmatched(at.to);
+            }
+        },
+        [&] { assembler.endGroup(); });
 }
 
 } // namespace tokay::mapper

@@ -5,6 +5,7 @@
 #include "mapper/interface/CurveInterface.hpp"
 #include "mapper/interface/SurfaceInterface.hpp"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,10 @@ struct FaceMesh {
     std::vector<std::vector<int>> faces;
 
     int nFaces() const { return static_cast<int>(faces.size()); }
+    bool hasOnlyPoints() const {
+        return std::all_of(faces.begin(), faces.end(),
+                           [](const std::vector<int>& face) { return face.size() == 1; });
+    }
 };
 
 /// Places at which the forces of faces act. The shares of a face sum to 1, and their

@@ -34,12 +34,10 @@ void append(const ColumnMatrix& block, Eigen::Index row, Eigen::Index column, do
     }
 }
 
-/// Both blocks of one size, so that pivots compare.
-ColumnMatrix saddleMatrix(const ColumnMatrix& gradient, const ColumnMatrix& trace) {
+ColumnMatrix saddleMatrix(const ColumnMatrix& gradient, const ColumnMatrix& trace, double scale) {
     const Eigen::Index n = gradient.rows(), m = trace.rows();
-    const double factor = largest(trace) / largest(gradient);
     std::vector<Eigen::Triplet<double>> entries;
-    append(gradient, 0, 0, factor, entries);
+    append(gradient, 0, 0, scale, entries);
     append(trace, n, 0, 1, entries);
     append(trace.transpose(), 0, n, 1, entries);
     ColumnMatrix matrix(n + m, n + m);
@@ -52,8 +50,8 @@ ColumnMatrix saddleMatrix(const ColumnMatrix& gradient, const ColumnMatrix& trac
 GradientExtension::GradientExtension(const RowSparseMatrix& mass, const RowSparseMatrix& gradient)
     : n_(mass.rows()) {
     if (gradient.nonZeros() == 0) {
-        throw SolverError("there is no gradient term on this interface: it has no edge "
-                          "of a trimmed patch; choose the minimum norm solution");
+        throw SolverError("there is no gradient term on this interface: it has no trimmed "
+                          "patch and no edge of one; choose the minimum norm solution");
     }
     active_ = rowsOfEither(mass, gradient);
     trace_.compute(restricted(mass, active_));
@@ -61,7 +59,10 @@ GradientExtension::GradientExtension(const RowSparseMatrix& mass, const RowSpars
         throw SolverError("the QR decomposition of the mass matrix failed (SPQR)");
     }
     rank_ = trace_.rank();
-    saddle_.compute(saddleMatrix(restricted(gradient, active_), traceRows()));
+    const ColumnMatrix term = restricted(gradient, active_);
+    const ColumnMatrix rows = traceRows();
+    scale_ = largest(rows) / largest(term); // both blocks of one size, so that pivots compare
+    saddle_.compute(saddleMatrix(term, rows, scale_));
     if (saddle_.info() != Eigen::Success) {
         throw SolverError("the gradient term leaves values on the interface open: "
                           "choose the minimum norm solution");
@@ -83,11 +84,13 @@ GradientExtension::ColumnMatrix GradientExtension::traceRows() const {
     return rows;
 }
 
-Eigen::MatrixXd GradientExtension::solve(const Eigen::MatrixXd& rhs) const {
+Eigen::MatrixXd GradientExtension::solve(const Eigen::MatrixXd& rhs,
+                                         const Eigen::MatrixXd& slopes) const {
     const Eigen::Index n = static_cast<Eigen::Index>(active_.size());
     const Eigen::MatrixXd reduced = rhs(active_, Eigen::all);
     const Eigen::MatrixXd projected = trace_.matrixQ().transpose() * reduced;
     Eigen::MatrixXd saddleRhs = Eigen::MatrixXd::Zero(n + rank_, rhs.cols());
+    saddleRhs.topRows(n) = scale_ * slopes(active_, Eigen::all);
     saddleRhs.bottomRows(rank_) = projected.topRows(rank_);
     Eigen::MatrixXd solution = Eigen::MatrixXd::Zero(n_, rhs.cols());
     const Eigen::MatrixXd solved = saddle_.solve(saddleRhs);
@@ -95,16 +98,18 @@ Eigen::MatrixXd GradientExtension::solve(const Eigen::MatrixXd& rhs) const {
     return solution;
 }
 
-Eigen::MatrixXd GradientExtension::solveTransposed(const Eigen::MatrixXd& rhs) const {
+TransposedSolution GradientExtension::solveTransposed(const Eigen::MatrixXd& rhs) const {
     const Eigen::Index n = static_cast<Eigen::Index>(active_.size());
     Eigen::MatrixXd saddleRhs = Eigen::MatrixXd::Zero(n + rank_, rhs.cols());
     saddleRhs.topRows(n) = rhs(active_, Eigen::all);
     const Eigen::MatrixXd solved = saddle_.solve(saddleRhs);
     Eigen::MatrixXd multipliers = Eigen::MatrixXd::Zero(n, rhs.cols());
     multipliers.topRows(rank_) = solved.bottomRows(rank_);
-    Eigen::MatrixXd solution = Eigen::MatrixXd::Zero(n_, rhs.cols());
     const Eigen::MatrixXd rotated = trace_.matrixQ() * multipliers;
-    solution(active_, Eigen::all) = rotated;
+    const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(n_, rhs.cols());
+    TransposedSolution solution{zero, zero};
+    solution.trace(active_, Eigen::all) = rotated;
+    solution.slopes(active_, Eigen::all) = scale_ * solved.topRows(n);
     return solution;
 }
 

@@ -126,12 +126,14 @@ MassInverse::~MassInverse() = default;
 MassInverse::MassInverse(MassInverse&&) noexcept = default;
 MassInverse& MassInverse::operator=(MassInverse&&) noexcept = default;
 
-Eigen::MatrixXd MassInverse::solve(const Eigen::MatrixXd& rhs) const {
-    return extension_ ? extension_->solve(rhs) : solveByFactors(rhs);
+Eigen::MatrixXd MassInverse::solve(const Eigen::MatrixXd& rhs,
+                                   const Eigen::MatrixXd& slopes) const {
+    return extension_ ? extension_->solve(rhs, slopes) : solveByFactors(rhs);
 }
 
-Eigen::MatrixXd MassInverse::solveTransposed(const Eigen::MatrixXd& rhs) const {
-    return extension_ ? extension_->solveTransposed(rhs) : solveByFactors(rhs);
+TransposedSolution MassInverse::solveTransposed(const Eigen::MatrixXd& rhs) const {
+    return extension_ ? extension_->solveTransposed(rhs)
+                      : TransposedSolution{solveByFactors(rhs), {}};
 }
 
 Eigen::MatrixXd MassInverse::solveByFactors(const Eigen::MatrixXd& rhs) const {

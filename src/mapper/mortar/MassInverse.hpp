@@ -17,6 +17,12 @@ enum class SingularMass {
 
 class GradientExtension;
 
+/// Solution by the transpose of a solve that takes two right-hand sides, n x m each.
+struct TransposedSolution {
+    Eigen::MatrixXd trace;
+    Eigen::MatrixXd slopes; ///< empty if there is no gradient term
+};
+
 /// Solves with a symmetric positive semidefinite matrix, factored once:
 /// Cholesky, or the pseudo-inverse by two sparse rank-revealing QRs if singular.
 /// Rows that are zero stand for values that are not there and stay zero.
@@ -31,11 +37,12 @@ class MassInverse {
     MassInverse(MassInverse&&) noexcept;
     MassInverse& operator=(MassInverse&&) noexcept;
 
-    /// @param rhs  n x m
-    /// @return     n x m; the chosen one of all solutions if the matrix is singular
-    Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs) const;
+    /// @param rhs     n x m
+    /// @param slopes  n x m, for the gradient term (GradientExtension); not used without it
+    /// @return        n x m; the chosen one of all solutions if the matrix is singular
+    Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs, const Eigen::MatrixXd& slopes = {}) const;
     /// The choice makes the inverse of a singular matrix unsymmetric.
-    Eigen::MatrixXd solveTransposed(const Eigen::MatrixXd& rhs) const;
+    TransposedSolution solveTransposed(const Eigen::MatrixXd& rhs) const;
 
     /// Rows that are not zero.
     int nActive() const { return static_cast<int>(active_.size()); }

@@ -130,24 +130,10 @@ void integrateIntersection(const SurfaceInterface& from, const SurfaceInterface&
     }
 }
 
-/// Gradient term of an interface: integral of (du/dn)^2 over the whole elements
-/// that its trimmed edges cut, with n along the surface and normal to the edge.
-/// @return nValues x nValues; empty if no curve is the edge of a patch
-RowSparseMatrix normalEnergy(const CurveInterface& interface) {
-    std::vector<Eigen::Triplet<double>> entries;
-    for (int i = 0; i < interface.nCurves(); ++i) {
-        for (const NormalSlope& at : interface.curve(i).normalSlopes()) {
-            for (std::size_t k = 0; k < at.values.size(); ++k) {
-                for (std::size_t l = 0; l < at.values.size(); ++l) {
-                    entries.emplace_back(at.values[k], at.values[l],
-                                         at.measure * at.weights[k] * at.weights[l]);
-                }
-            }
-        }
-    }
-    RowSparseMatrix matrix(interface.nValues(), interface.nValues());
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    return matrix;
+/// The gradient term if it is the choice.
+template <class From, class To>
+GradientTerm chosenTerm(const From& from, const To& to, const MortarOptions& options) {
+    return options.singular == SingularMass::gradientTerm ? gradientTerm(from, to) : GradientTerm();
 }
 
 void refuseDualBasis(const MortarOptions& options) {
@@ -162,12 +148,13 @@ void refuseDualBasis(const MortarOptions& options) {
 template <class From, class To, class Integrate>
 void MortarMapping::build(const From& from, const To& to, const MortarOptions& options,
                           MortarAssembler assembler, Integrate integrate,
-                          const RowSparseMatrix& gradientTerm) {
+                          GradientTerm gradientTerm) {
     const Stopwatch watch;
     GapStatistics gaps(options.gapLimit, from.size());
     integrate(assembler, gaps);
     gaps.enter(report_);
-    finish(assembler, options, from, to, gradientTerm);
+    slopes_ = std::move(gradientTerm.slopes);
+    finish(assembler, options, from, to, gradientTerm.energy);
     report_.seconds = watch.seconds();
 }
 
@@ -179,7 +166,7 @@ MortarMapping::MortarMapping(const CurveInterface& from, const CurveInterface& t
             integrateIntersection(from, to, options.gapLimit, options.nExtraPoints, assembler,
                                   gaps);
         },
-        options.singular == SingularMass::gradientTerm ? normalEnergy(to) : RowSparseMatrix());
+        chosenTerm(from, to, options));
 }
 
 MortarMapping::MortarMapping(const SurfaceMesh& from, const SurfaceMesh& to,
@@ -193,10 +180,12 @@ MortarMapping::MortarMapping(const SurfaceMesh& from, const SurfaceMesh& to,
 MortarMapping::MortarMapping(const SurfaceMesh& from, const SurfaceInterface& to,
                              const MortarOptions& options) {
     refuseDualBasis(options);
-    build(from, to, options, {to.nValues(), from.nValues(), options.basis, to.nElements()},
-          [&](MortarAssembler& assembler, GapStatistics& gaps) {
-              integrateIntersection(from, to, options, assembler, gaps);
-          });
+    build(
+        from, to, options, {to.nValues(), from.nValues(), options.basis, to.nElements()},
+        [&](MortarAssembler& assembler, GapStatistics& gaps) {
+            integrateIntersection(from, to, options, assembler, gaps);
+        },
+        chosenTerm(from, to, options));
 }
 
 MortarMapping::MortarMapping(const SurfaceInterface& from, const SurfaceMesh& to,
@@ -210,10 +199,12 @@ MortarMapping::MortarMapping(const SurfaceInterface& from, const SurfaceMesh& to
 MortarMapping::MortarMapping(const SurfaceInterface& from, const SurfaceInterface& to,
                              const MortarOptions& options) {
     refuseDualBasis(options);
-    build(from, to, options, {to.nValues(), from.nValues(), options.basis, to.nElements()},
-          [&](MortarAssembler& assembler, GapStatistics& gaps) {
-              integrateIntersection(from, to, options, assembler, gaps);
-          });
+    build(
+        from, to, options, {to.nValues(), from.nValues(), options.basis, to.nElements()},
+        [&](MortarAssembler& assembler, GapStatistics& gaps) {
+            integrateIntersection(from, to, options, assembler, gaps);
+        },
+        chosenTerm(from, to, options));
 }
 
 void MortarMapping::finish(const MortarAssembler& assembler, const MortarOptions& options,
@@ -228,8 +219,9 @@ void MortarMapping::finish(const MortarAssembler& assembler, const MortarOptions
     report_.rank = inverse_->rank();
     report_.condition = inverse_->conditionOnRange();
     if (inverse_->isSingular()) {
-        report_.regularisation =
-            options.singular == SingularMass::gradientTerm ? "gradient term" : "minimum norm";
+        report_.regularisation = options.singular != SingularMass::gradientTerm ? "minimum norm"
+                                 : slopes_.nonZeros() > 0 ? "gradient term with the source's slope"
+                                                          : "gradient term";
     }
 
     // A singular mass matrix leaves values open, but not the field: errors are
@@ -239,15 +231,21 @@ void MortarMapping::finish(const MortarAssembler& assembler, const MortarOptions
     report_.rowSumError = (mass_ * (mapped - ones)).norm() / (mass_ * ones).norm();
     const Points forces = mass_ * probeForces(to.nValues());
     measureConservation(*this, forces, from.coordinates(), to.coordinates(), report_);
-    report_.bytes = bytesOf(mass_) + bytesOf(cross_);
+    report_.bytes = bytesOf(mass_) + bytesOf(cross_) + bytesOf(slopes_);
 }
 
 Eigen::MatrixXd MortarMapping::apply(const Eigen::MatrixXd& values) const {
-    return inverse_->solve(cross_ * values);
+    return slopes_.size() > 0 ? inverse_->solve(cross_ * values, slopes_ * values)
+                              : inverse_->solve(cross_ * values);
 }
 
 Eigen::MatrixXd MortarMapping::applyTransposed(const Eigen::MatrixXd& forces) const {
-    return cross_.transpose() * inverse_->solveTransposed(forces);
+    const TransposedSolution solved = inverse_->solveTransposed(forces);
+    Eigen::MatrixXd onSource = cross_.transpose() * solved.trace;
+    if (solved.slopes.size() > 0) {
+        onSource += slopes_.transpose() * solved.slopes;
+    }
+    return onSource;
 }
 
 } // namespace tokay::mapper

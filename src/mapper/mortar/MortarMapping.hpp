@@ -7,6 +7,7 @@
 #include "mapper/interface/SurfaceInterface.hpp"
 #include "mapper/interface/SurfaceMesh.hpp"
 #include "mapper/intersection/MortarAssembler.hpp"
+#include "mapper/mortar/GradientTerm.hpp"
 #include "mapper/mortar/MassInverse.hpp"
 
 #include <optional>
@@ -15,7 +16,7 @@ namespace tokay::mapper {
 
 struct MortarOptions {
     MortarBasis basis = MortarBasis::standard;
-    /// The gradient term is there for edges of trimmed patches (curves).
+    /// The gradient term is there for trimmed patches and their edges.
     SingularMass singular = SingularMass::refuse;
     GapLimit gapLimit;
     /// Gauss points an interval beyond those that integrate straight elements
@@ -78,13 +79,14 @@ class MortarMapping : public Mapping {
     /// @param integrate  (MortarAssembler&, GapStatistics&)
     template <class From, class To, class Integrate>
     void build(const From& from, const To& to, const MortarOptions& options,
-               MortarAssembler assembler, Integrate integrate,
-               const RowSparseMatrix& gradientTerm = {});
+               MortarAssembler assembler, Integrate integrate, GradientTerm gradientTerm = {});
     void finish(const MortarAssembler& assembler, const MortarOptions& options,
                 const Discretisation& from, const Discretisation& to,
                 const RowSparseMatrix& gradientTerm);
 
     RowSparseMatrix mass_, cross_;
+    /// Source's slopes in the gradient term, nTo x nFrom; empty: there is none.
+    RowSparseMatrix slopes_;
     std::optional<MassInverse> inverse_;
 };
 

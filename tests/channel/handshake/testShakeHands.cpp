@@ -51,6 +51,20 @@ TEST(ShakeHands, introducesBothSides) {
     EXPECT_EQ(structure.peer(), "the fluid");
 }
 
+TEST(ShakeHands, aMovedStructureHasTheFluidsPart) {
+    const Hello moved{protocolVersion, Role::movedStructure, "igaStructure", ""};
+    auto [leading, structure] = connectedPair();
+    auto other = std::async(std::launch::async,
+                            [&end = structure] { return shakeHands(end, structureHello, token); });
+    shakeHands(leading, moved, token);
+    EXPECT_EQ(other.get().role, Role::movedStructure);
+    EXPECT_EQ(structure.peer(), "the moved structure");
+    EXPECT_THAT(errorsOfHandshake(moved, structureHello, "guess").structure,
+                HasSubstr("the moved structure gave a wrong token"));
+    EXPECT_THAT(errorsOfHandshake(fluidHello, moved).fluid,
+                HasSubstr("connect each to a structure that is loaded"));
+}
+
 TEST(ShakeHands, wrongTokenIsToldToBothSidesAndNotShown) {
     for (const char* given : {"", "pa55word!", "pa55wor", "Pa55word", "pa55wordpa55word"}) {
         const Errors errors = errorsOfHandshake(fluidHello, structureHello, given);

@@ -7,6 +7,8 @@
 #include "mapper/mappingProperties.hpp"
 #include "mapper/mortar/MortarMapping.hpp"
 #include "mapper/sampleInterfaces.hpp"
+#include "mapper/sampleMeshes.hpp"
+#include "mapper/samplePatches.hpp"
 
 #include <gtest/gtest.h>
 
@@ -160,6 +162,89 @@ TEST(GradientTerm, hasTheTraceOfTheMinimumNormAndABetterFieldInTheCutElements) {
         EXPECT_LT(gradient.beside, 0.6 * 0.5 * element) << n;
         EXPECT_GT(norm.beside, 0.1) << "the minimum norm does not even hold constants there";
     }
+}
+
+TEST(GradientTerm, takesTheSlopeOfASourceThatKnowsOne) {
+    for (const double trim : {0.0, 1e-12, 1e-4, 0.05, 0.13}) {
+        const SlantedEdge other(5, trim, trim), edge(8, trim, trim);
+        const CurveInterface from = other.interface(), to = edge.interface();
+        const MortarMapping mapping(from, to, with(SingularMass::gradientTerm));
+        const Points mapped = mapping.apply(linearField(from.coordinates()));
+        const Points expected = linearField(to.coordinates());
+        int nActive = 0;
+        for (int i = 0; i < to.nValues(); ++i) {
+            if (mapped.row(i).norm() > 0) {
+                ++nActive;
+                // Roundings of the trace reach the far side of an element through its slopes.
+                EXPECT_LT((mapped.row(i) - expected.row(i)).norm(), 1e-9) << trim;
+            }
+        }
+        // biquadratic, a column of cut elements, on a knot line one on either side
+        EXPECT_EQ(nActive, (trim < 1e-9 ? 4 : 3) * 10) << trim;
+        EXPECT_NE(mapping.report().text().find("with the source's slope"), std::string::npos);
+    }
+}
+
+TEST(GradientTerm, slopeKeepsMomentsOfForcesOffTheEdge) {
+    const SlantedEdge other(5, 0.13, 0.13), edge(8, 0.13, 0.13);
+    const CurveInterface from = other.interface(), to = edge.interface();
+    const MortarMapping mapping(from, to, with(SingularMass::gradientTerm));
+    Points forces = probeForces(to.nValues());
+    for (int i = 0; i < to.nValues(); ++i) { // on the functions of cut elements
+        if (mapping.apply(from.coordinates()).row(i).norm() == 0) {
+            forces.row(i).setZero();
+        }
+    }
+    expectForceAndMomentConserved(mapping, forces, from.coordinates(), to.coordinates());
+    expectTransposesEqual(mapping, from.nValues(), to.nValues());
+}
+
+TEST(GradientTerm, errorBesideTheEdgeFallsByOneOrderMoreWithTheSourcesSlope) {
+    double before = 0;
+    for (const int n : {8, 16, 32}) {
+        const double element = 2.0 / n, trim = 0.3 * element;
+        const SlantedEdge edge(n, trim, trim), fine(4 * n, trim, trim);
+        const CurveInterface to = edge.interface(), from = fine.interface();
+        // Control values of a fine patch are the field but for its curvature, h^2.
+        const Eigen::VectorXd values = smooth(from.coordinates());
+        const double beside =
+            errors(edge, MortarMapping(from, to, with(SingularMass::gradientTerm)).apply(values), 0,
+                   element)
+                .beside;
+        if (before > 0) {
+            EXPECT_LT(beside, before / 2.6) << n; // order 2: 4 in the limit; order 1: 2
+        }
+        before = beside;
+    }
+}
+
+TEST(GradientTerm, continuesFieldsOverWhatTrimmingLeavesOfPatches) {
+    // Kept: [0, 1 + 2e-7] x [0, 1], a sliver of the third column of elements.
+    const geometry::ParameterBox kept{{0, 0}, {0.5 + 1e-7, 1}};
+    const SurfaceInterface to = onePatch(
+        geometry::TrimmedPatch(plate(4, 4), {geometry::TrimmingLoop::around(kept)}, "trimmed"));
+    const auto largestError = [&](const Points& mapped, const Points& expected) {
+        int nActive = 0;
+        double largest = 0;
+        for (int i = 0; i < to.nValues(); ++i) {
+            if (mapped.row(i).norm() > 0) {
+                ++nActive;
+                largest = std::max(largest, (mapped.row(i) - expected.row(i)).norm());
+            }
+        }
+        EXPECT_EQ(nActive, 5 * 6); // biquadratic, three columns of elements, four rows
+        return largest;
+    };
+    const SurfaceInterface from = onePatch(geometry::TrimmedPatch(plate(3, 5), "whole"));
+    const MortarMapping mapping(from, to, with(SingularMass::gradientTerm));
+    EXPECT_LT(mapping.report().rank, mapping.report().nInverted);
+    EXPECT_LT(
+        largestError(mapping.apply(linearField(from.coordinates())), linearField(to.coordinates())),
+        1e-9);
+    const SurfaceMesh mesh = flatMesh(8, 4, FaceKind::quadrilaterals, ValuesAt::vertices);
+    const MortarMapping fromMesh(mesh, to, with(SingularMass::gradientTerm));
+    const Points one = Points::Ones(mesh.nValues(), 3);
+    EXPECT_LT(largestError(fromMesh.apply(one), Points::Ones(to.nValues(), 3)), 1e-9);
 }
 
 TEST(GradientTerm, keepsRankAndCountAndExplainsItself) {

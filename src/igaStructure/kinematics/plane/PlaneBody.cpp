@@ -88,7 +88,7 @@ std::vector<std::string> PlaneBody::advice() const {
         slenderness > slender ? ": a beam has the same motion with far fewer unknowns" : "")};
 }
 
-WetSurface PlaneBody::wetSurface(const std::vector<std::string>& names) const {
+mapper::SplineInterface PlaneBody::boundary(const std::vector<std::string>& names) const {
     std::vector<mapper::SplinePiece> pieces;
     for (const std::string& name : names) {
         geometry::BoundaryCurve boundary =

@@ -26,9 +26,16 @@ class PlaneBody : public Body {
     double massPerWetArea() const override;
     double thickness() const override { return massPerWetArea() / solid_.material().density; }
     std::vector<std::string> advice() const override;
+    std::unique_ptr<const mapper::CurveInterface>
+    edges(const std::vector<std::string>& names) const override {
+        return std::make_unique<mapper::SplineInterface>(boundary(names));
+    }
 
   private:
-    WetSurface wetSurface(const std::vector<std::string>& names) const override;
+    mapper::SplineInterface boundary(const std::vector<std::string>& names) const;
+    WetSurface wetSurface(const std::vector<std::string>& names) const override {
+        return boundary(names);
+    }
     double depth() const override { return solid_.material().thickness; }
     /// Cauchy's, in the order xx yy zz xy yz xz.
     Eigen::MatrixXd stress(const Eigen::VectorXd& displacement,

@@ -8,7 +8,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 namespace tokay::structure {
 
@@ -263,6 +265,45 @@ std::vector<std::string> ShellBody::advice() const {
                                     share, share > thick ? "; a solid models them" : ""));
     }
     return lines;
+}
+
+namespace {
+
+// An edge at which the body ends; left, right, bottom and top of a patch that is whole.
+geometry::BrepTrim rimNamed(const geometry::BrepModel& model, const std::string& name) {
+    constexpr std::array<std::string_view, 4> sides = {"bottom", "right", "top", "left"};
+    const auto side = std::find(sides.begin(), sides.end(), name);
+    if (side != sides.end() && model.faces().size() == 1 && !model.patch(0).isTrimmed()) {
+        return {0, static_cast<int>(side - sides.begin())}; // as the curves of its loop run
+    }
+    const geometry::BrepEdge& edge = model.edges()[model.edgeNumber(name)];
+    if (edge.trims.size() != 1) {
+        throw InputError(
+            fmt::format("edge \"{}\" lies between patches of this structure: only edges "
+                        "at which it ends can be coupled",
+                        name));
+    }
+    return edge.trims[0];
+}
+
+} // namespace
+
+std::unique_ptr<const mapper::CurveInterface>
+ShellBody::edges(const std::vector<std::string>& names) const {
+    if (shell_.description().bending) {
+        throw InputError("the edges of a shell also turn, which coupled edges do not feel: they "
+                         "would be hinges; couple membranes or plane solids, or join the patches "
+                         "of a shell in one model");
+    }
+    std::vector<std::unique_ptr<mapper::InterfaceCurve>> curves;
+    for (const std::string& name : names) {
+        const geometry::BrepTrim trim = rimNamed(shell_.model(), name);
+        const ShellPatch& patch = *shell_.patches()[static_cast<std::size_t>(trim.face)];
+        curves.push_back(mapper::interfaceCurve(
+            geometry::CurveOnSurface(shell_.model().curve(trim.face, trim.curve), patch.surface()),
+            patch.nodes()));
+    }
+    return std::make_unique<mapper::CurveInterface>(std::move(curves), shell_.nodes().positions);
 }
 
 WetSurface ShellBody::wetSurface(const std::vector<std::string>& /*names*/) const {

@@ -26,6 +26,9 @@ class ShellBody : public Body {
     double massPerWetArea() const override;
     double thickness() const override;
     std::vector<std::string> advice() const override;
+    /// Edges of the model, by name; of a shell without bending stiffness.
+    std::unique_ptr<const mapper::CurveInterface>
+    edges(const std::vector<std::string>& names) const override;
 
   private:
     using Locations = std::vector<Location>;

@@ -254,7 +254,7 @@ struct SurfaceEntries : Located {
     MaterialEntries<Laws::all> material;
     std::vector<Support> supports;
     std::vector<Load> loads;
-    CouplingEntries<WetParts::all> coupling;
+    CouplingEntries<WetParts::surface> coupling;
 
     static const SchemaOf<SurfaceEntries>& schema() {
         static const SchemaOf<SurfaceEntries> schema = bodySchema<SurfaceEntries>(

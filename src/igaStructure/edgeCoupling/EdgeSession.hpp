@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "igaStructure/coupledRun/FluidLink.hpp"
+#include "igaStructure/edgeCoupling/MovedStructure.hpp"
+#include "igaStructure/run/PhaseTimer.hpp"
+#include "igaStructure/run/RunOutput.hpp"
+
+#include <vector>
+
+namespace tokay::structure {
+
+/// The session with the loaded structure, as the moved one leads it: in each time step it
+/// answers displacements with forces until the loaded one, which holds the coupling method,
+/// says that the two agree; as a fluid does in its outer correctors.
+class EdgeSession {
+  public:
+    /// Borrows all.
+    /// @param structureCase  of the moved structure
+    EdgeSession(const Case& structureCase, const Body& body, MovedStructure& moved,
+                const mapper::EdgeQuadrature& edge, FluidLink& link, Report report);
+
+    /// All time steps of the case.
+    /// @throws SolverError if a step has not converged after coupling.maxIterations: the
+    ///         residual of each
+    void run();
+
+  private:
+    channel::Interface interface() const;
+    void advance(int step, double time, double deltaT, bool writes);
+    channel::Displacements exchange(const channel::Message& message);
+    [[noreturn]] void throwNotConverged(double time) const;
+    void reportIterations() const;
+
+    const Case& case_;
+    MovedStructure& moved_;
+    const mapper::EdgeQuadrature& edge_;
+    FluidLink& link_;
+    Report report_;
+    RunOutput output_;
+    PhaseTimer timer_;
+    std::vector<double> residuals_; ///< of this time step
+    std::vector<int> iterations_;   ///< of each time step
+};
+
+} // namespace tokay::structure

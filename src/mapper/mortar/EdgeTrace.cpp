@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mapper/mortar/EdgeTrace.hpp"
+
+#include <Eigen/SVD>
+
+namespace tokay::mapper {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+/// Singular values below this part of the largest one are zero: such a combination of
+/// functions moves the edge by less than this part of itself.
+constexpr double zero = 1e-10;
+
+} // namespace
+
+EdgeTrace::EdgeTrace(const MatrixXd& values, const VectorXd& weights) {
+    const VectorXd roots = weights.cwiseSqrt();
+    Eigen::BDCSVD<MatrixXd> svd(roots.asDiagonal() * values,
+                                Eigen::ComputeThinU | Eigen::ComputeFullV);
+    svd.setThreshold(zero);
+    const Eigen::Index rank = svd.rank();
+    const MatrixXd leading = svd.matrixU().leftCols(rank);
+    singularValues_ = svd.singularValues().head(rank);
+    projection_ =
+        singularValues_.cwiseInverse().asDiagonal() * leading.transpose() * roots.asDiagonal();
+    basis_ = svd.matrixV();
+    if (!isSingular()) { // control values themselves: a support may hold one of them
+        projection_ = (basis_ * projection_).eval();
+        basis_.setIdentity();
+    }
+}
+
+double EdgeTrace::conditionOnRange() const {
+    const double ratio = singularValues_[0] / singularValues_[rank() - 1];
+    return ratio * ratio;
+}
+
+} // namespace tokay::mapper

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "common/errors.hpp"
+#include "mapper/mortar/EdgeQuadrature.hpp"
+#include "mapper/mortar/EdgeTrace.hpp"
+#include "mapper/sampleInterfaces.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tokay::mapper {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+std::string refusalOf(const CurveInterface& from, const CurveInterface& to) {
+    try {
+        EdgeQuadrature(from, to, GapLimit());
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+EdgeQuadrature quadratureOf(const CurveInterface& to, int nElements = 3) {
+    return {verticalMesh(nElements), to, GapLimit()};
+}
+
+Points controlPointsOf(const EdgeQuadrature& edge, const CurveInterface& interface) {
+    return interface.coordinates()(edge.functions(), Eigen::all);
+}
+
+} // namespace
+
+TEST(EdgeTrace, massMatrixOnAKnotLineIsThePublishedOneOfRankFour) {
+    const EdgeQuadrature edge = quadratureOf(trimmedEdge(0.5));
+    MatrixXd one(4, 4);
+    one << 0.025, 0.0145833, 0.00208333, 0,      //
+        0.0145833, 0.0416667, 0.025, 0.00208333, //
+        0.00208333, 0.025, 0.0416667, 0.0145833, //
+        0, 0.00208333, 0.0145833, 0.025;
+    const MatrixXd mass = edge.massMatrix();
+    ASSERT_EQ(mass.rows(), 8);
+    for (int i = 0; i < 8; ++i) {
+        for (int j = 0; j < 8; ++j) {
+            // half a unit of the last digit printed
+            EXPECT_NEAR(mass(i, j), one(i / 2, j / 2), one(i / 2, j / 2) < 0.01 ? 5e-9 : 5e-8);
+        }
+    }
+    EXPECT_EQ(EdgeTrace(edge.values(), edge.weights()).rank(), 4);
+}
+
+TEST(EdgeTrace, rankIsThatOfTheTraceWhereverTheTrimmingLineCuts) {
+    for (const double xi : {0.0, 0.1, 0.37, 0.5 - 1e-12, 0.5, 0.5 + 1e-12, 0.5 + 1e-6, 0.9, 1.0}) {
+        const EdgeQuadrature edge = quadratureOf(trimmedEdge(xi));
+        const EdgeTrace trace(edge.values(), edge.weights());
+        EXPECT_EQ(trace.rank(), 4) << xi;
+        // The trace alone, along the edge, has the condition of quadratic splines.
+        const EdgeQuadrature along = quadratureOf(verticalSpline(2, 2));
+        EXPECT_NEAR(trace.conditionOnRange(),
+                    EdgeTrace(along.values(), along.weights()).conditionOnRange(), 1e-6)
+            << xi;
+    }
+}
+
+TEST(EdgeTrace, basisIsOrthogonalAndItsRestLeavesTheEdgeWhereItIs) {
+    const EdgeQuadrature edge = quadratureOf(trimmedEdge(0.37));
+    const EdgeTrace trace(edge.values(), edge.weights());
+    const MatrixXd& basis = trace.basis();
+    ASSERT_EQ(basis.rows(), 12);
+    EXPECT_LT((basis.transpose() * basis - MatrixXd::Identity(12, 12)).norm(), 1e-14);
+    EXPECT_LT((edge.values() * basis.rightCols(8)).norm(), 1e-14);
+    EXPECT_TRUE(trace.isSingular());
+}
+
+TEST(EdgeTrace, controlValuesOfAnEdgeThatTheBasisInterpolatesAreTheCoefficients) {
+    const CurveInterface spline = verticalSpline(2, 3);
+    const EdgeQuadrature edge = quadratureOf(spline);
+    const EdgeTrace trace(edge.values(), edge.weights());
+    EXPECT_FALSE(trace.isSingular());
+    EXPECT_EQ(trace.basis(), MatrixXd::Identity(5, 5));
+    // The linear field has its coordinates as control values.
+    EXPECT_LT((trace.coefficients(edge.points()) - controlPointsOf(edge, spline)).norm(), 1e-13);
+}
+
+TEST(EdgeTrace, projectionReproducesWhatTheTraceHolds) {
+    for (const double xi : {0.37, 0.5, 0.5 + 1e-12}) {
+        const EdgeQuadrature edge = quadratureOf(trimmedEdge(xi));
+        const EdgeTrace trace(edge.values(), edge.weights());
+        const MatrixXd leading = trace.basis().leftCols(trace.rank());
+        const MatrixXd mapped = edge.values() * leading * trace.coefficients(edge.points());
+        EXPECT_LT((mapped - edge.points()).norm(), 1e-13) << xi;
+    }
+}
+
+TEST(EdgeTrace, forcesAtPointsKeepForceMomentAndWork) {
+    for (const double xi : {0.0, 0.37, 0.5, 0.5 + 1e-12}) {
+        const CurveInterface interface = trimmedEdge(xi);
+        const EdgeQuadrature edge = quadratureOf(interface);
+        const EdgeTrace trace(edge.values(), edge.weights());
+        MatrixXd reaction(trace.rank(), 2);
+        for (Eigen::Index k = 0; k < trace.rank(); ++k) {
+            reaction.row(k) << 1 + 0.3 * static_cast<double>(k), std::cos(static_cast<double>(k));
+        }
+        const MatrixXd onValues = trace.basis().leftCols(trace.rank()) * reaction;
+        const MatrixXd atPoints = trace.forcesAtPoints(reaction);
+        const Points positions = controlPointsOf(edge, interface);
+        EXPECT_LT((atPoints.colwise().sum() - onValues.colwise().sum()).norm(), 1e-13);
+        const auto moment = [](const Points& at, const MatrixXd& force) {
+            return at.col(0).dot(force.col(1)) - at.col(1).dot(force.col(0));
+        };
+        EXPECT_NEAR(moment(edge.points(), atPoints), moment(positions, onValues), 1e-13);
+        const VectorXd motion = VectorXd::LinSpaced(onValues.rows(), -1, 2).array().square();
+        EXPECT_NEAR((edge.values() * motion).dot(atPoints.col(0)), motion.dot(onValues.col(0)),
+                    1e-12);
+    }
+}
+
+TEST(EdgeQuadrature, edgesApartAreRefusedWithTheGap) {
+    const std::string text = refusalOf(verticalMesh(3, 0.25), trimmedEdge(0.5));
+    EXPECT_TRUE(contains(text, "do not lie on each other") && contains(text, "0.25 m away"))
+        << text;
+}
+
+TEST(EdgeQuadrature, anEdgeThatTheOtherOneCoversOnlyInPartIsRefused) {
+    Points vertices(2, 3);
+    vertices << 0, 0, 0, 0, 0.5, 0;
+    const CurveInterface half = lineMesh(vertices, {{0, 1}});
+    EXPECT_TRUE(contains(refusalOf(verticalMesh(3), half), "0.5 m away"));
+    EXPECT_TRUE(contains(refusalOf(half, verticalMesh(3)), "m away"));
+}
+
+} // namespace tokay::mapper
