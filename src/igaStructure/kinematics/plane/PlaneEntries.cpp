@@ -11,7 +11,7 @@ void requireOneKind(const PlaneLoad& load) {
     const bool isOnEdge = load.edge || load.brepEdge;
     if (load.traction.has_value() == load.gravity.has_value() ||
         load.traction.has_value() != isOnEdge) {
-        throw load.error("", "give either an edge and traction, or gravity alone");
+        throw load.error("", "give either edge and traction, or gravity alone");
     }
 }
 
@@ -31,7 +31,7 @@ void requireOnePatch(const PlaneEntries<Model>& entries) {
         refuse(support, "brepEdge", support.brepEdge.has_value());
         refuse(support, "weak", support.weak.has_value());
         if (!support.edge) {
-            throw support.error("", "entry 'edge' is missing");
+            throw support.error("", "entry 'edge' is missing: Constrained edge of a single patch");
         }
     }
     for (const PlaneLoad& load : entries.loads) {
