@@ -7,7 +7,8 @@ namespace tokay::coupling {
 
 Eigen::VectorXd CoupledModel::structure(const Eigen::VectorXd& forces,
                                         const Eigen::VectorXd& start) {
-    return BlockSystem(*this, forces, start, LowRankMatrix()).solve(start, 1e-12);
+    WoodburySolver steps(*this);
+    return BlockSystem(*this, steps, forces, start, LowRankMatrix()).solve(start, 1e-12);
 }
 
 } // namespace tokay::coupling

@@ -40,7 +40,7 @@ class CoupledModel : public CoupledStructure, public LinearisedStructure {
     Eigen::VectorXd solve(const Eigen::VectorXd& forces) override {
         return structure(forces, start_);
     }
-    Eigen::VectorXd solveFor(const Eigen::VectorXd& loads) override {
+    Eigen::VectorXd solveFor(const Eigen::VectorXd& loads, const Eigen::VectorXd&) override {
         return structure(loads, start_);
     }
     LinearisedStructure* linearised() override { return this; }

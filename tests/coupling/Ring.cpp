@@ -177,7 +177,8 @@ VectorXd Ring::monolithic(const VectorXd& start) {
                  fluid_.stiffness * stiffness_,
              identity);
     const VectorXd forces = fluid(start);
-    const VectorXd x = BlockSystem(*this, forces, start, J).solve(start, 1e-12);
+    WoodburySolver steps(*this);
+    const VectorXd x = BlockSystem(*this, steps, forces, start, J).solve(start, 1e-12);
     const double imbalance = (residual(x) - fluid(x)).norm();
     if (!(imbalance < 1e-9 * (load_.norm() + fluid(x).norm()))) {
         throw SolverError("the reference solution of the ring is wrong");

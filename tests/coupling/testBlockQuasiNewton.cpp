@@ -41,6 +41,7 @@ class Springs : public LinearisedStructure {
         factors_.compute(tangent);
         ++nFactorisations;
     }
+    double reuseContraction() const override { return nFactorisations > 0 ? contraction : 0; }
     MatrixXd responses(const MatrixXd& b) override { return factors_.solve(b); }
     VectorXd displacements(const VectorXd& d) override { return P_ * d; }
     MatrixXd variations(const MatrixXd& D) override { return P_ * D; }
@@ -49,14 +50,16 @@ class Springs : public LinearisedStructure {
     }
 
     VectorXd acceptedUnknowns() const override { return VectorXd::Zero(load_.size()); }
-    VectorXd solveFor(const VectorXd& loads) override {
+    VectorXd solveFor(const VectorXd& loads, const VectorXd&) override {
         const VectorXd x = VectorXd::Zero(P_.rows());
-        return BlockSystem(*this, loads, x, {}).solve(acceptedUnknowns(), 1e-12);
+        WoodburySolver steps(*this);
+        return BlockSystem(*this, steps, loads, x, {}).solve(acceptedUnknowns(), 1e-12);
     }
 
     const MatrixXd& P() const { return P_; }
 
     int nFactorisations = 0;
+    double contraction = 0; ///< at which a tangent serves
 
   private:
     double cubic_;
@@ -74,7 +77,10 @@ struct SpringsInFluid {
         x = VectorXd::Random(5);
     }
 
-    VectorXd solve() { return BlockSystem(springs, loads, x, J).solve(VectorXd::Zero(12), 1e-9); }
+    VectorXd solve() {
+        WoodburySolver steps(springs);
+        return BlockSystem(springs, steps, loads, x, J).solve(VectorXd::Zero(12), 1e-9);
+    }
     double imbalance(const VectorXd& d) {
         return (springs.residual(d) - loads - J.apply(springs.displacements(d) - x, 12)).norm();
     }
@@ -96,6 +102,19 @@ TEST(BlockSystem, convergesQuadraticallyForANonlinearStructure) {
     EXPECT_LT(model.imbalance(model.solve()), 1e-9);
     // Five or so to get near, three to double the digits.
     EXPECT_LT(model.springs.nFactorisations, 10);
+}
+
+TEST(BlockSystem, keepsATangentWhileItServes) {
+    SpringsInFluid model(5);
+    model.springs.contraction = 0.1;
+    EXPECT_LT(model.imbalance(model.solve()), 1e-7); // a tenth of 1e-9 of d, times K of some 1e2
+    const VectorXd d = model.solve();
+    const int nBefore = model.springs.nFactorisations;
+    model.loads *= 1.001;
+    WoodburySolver steps(model.springs);
+    const BlockSystem near(model.springs, steps, model.loads, model.x, model.J);
+    EXPECT_LT(model.imbalance(near.solve(d, 1e-9)), 1e-7);
+    EXPECT_EQ(model.springs.nFactorisations, nBefore);
 }
 
 TEST(BlockSystem, withoutAResponseIsTheStructureAlone) {
@@ -325,7 +344,7 @@ class Arch : public LinearisedStructure {
     MatrixXd variations(const MatrixXd& D) override { return D; }
     VectorXd loads(const VectorXd& forces, const VectorXd&) override { return forces; }
     VectorXd acceptedUnknowns() const override { return VectorXd::Zero(1); }
-    VectorXd solveFor(const VectorXd& loads) override {
+    VectorXd solveFor(const VectorXd& loads, const VectorXd&) override {
         return VectorXd::Constant(1, -0.5 + std::sqrt(0.25 + loads[0]));
     }
 

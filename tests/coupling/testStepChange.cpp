@@ -88,8 +88,9 @@ TEST_P(StepChange, costsLittleMoreThanAFreshStartAtMostWhateverTheFluidsForcesAr
             fluid.isEuler = massRatio == 1 || massRatio == 100;
             const Evaluations evaluations =
                 evaluationsAfter(GetParam(), Ring(RingWall::linear, massRatio, fluid));
-            // At -0.8 the fluid all but outweighs the wall.
-            const int allowedMore = fluid.stiffness < -0.5 ? 6 : 2;
+            // At -0.8 the fluid all but outweighs the wall. At 5 it is so much stiffer that
+            // rounding errors decide over two iterations or three.
+            const int allowedMore = fluid.stiffness < -0.5 ? 6 : fluid.stiffness == 5 ? 4 : 2;
             EXPECT_LE(evaluations.after.front(), evaluations.ofFreshStart + allowedMore)
                 << "mass " << massRatio << " damping " << fluid.damping << " stiffness "
                 << fluid.stiffness;

@@ -36,8 +36,9 @@ const SchemaOf<BlockQuasiNewton::Options>& BlockQuasiNewton::Options::schema() {
 BlockQuasiNewton::BlockQuasiNewton(const CouplingOptions& options, double tolerance,
                                    LinearisedStructure& structure)
     : options_(options.acceleration.of<Options>()), criteria_(options.convergence, tolerance),
-      structure_(structure), predictor_(options.predictor, structure.acceptedUnknowns()),
-      model_(options_), lag_(options_), now_(at(structure.acceptedUnknowns())), next_(now_) {}
+      structure_(structure), steps_(structure),
+      predictor_(options.predictor, structure.acceptedUnknowns()), model_(options_), lag_(options_),
+      now_(at(structure.acceptedUnknowns())), next_(now_) {}
 
 BlockQuasiNewton::InterfaceState BlockQuasiNewton::at(const VectorXd& d) const {
     return {d, structure_.displacements(d)};
@@ -85,7 +86,9 @@ void BlockQuasiNewton::learn(const VectorXd& loads, double fluidResidual) {
 /// Displacement under these loads by one step of Newton's method, which is
 /// enough to tell how far the present one is from it.
 VectorXd BlockQuasiNewton::newtonPrediction(const VectorXd& loads) const {
-    structure_.linearise(now_.d);
+    if (structure_.reuseContraction() == 0) {
+        structure_.linearise(now_.d);
+    }
     const VectorXd imbalance = loads - structure_.residual(now_.d);
     return now_.x + structure_.variations(structure_.responses(imbalance));
 }
@@ -93,7 +96,7 @@ VectorXd BlockQuasiNewton::newtonPrediction(const VectorXd& loads) const {
 /// Where the structure is in balance with a fluid that responds to it by J.
 BlockQuasiNewton::InterfaceState BlockQuasiNewton::nextState(const VectorXd& loads) {
     const auto solve = [&] {
-        const BlockSystem system(structure_, loads, now_.x, model_.matrix());
+        const BlockSystem system(structure_, steps_, loads, now_.x, model_.matrix());
         return system.solve(now_.d, newtonFraction * criteria_.tolerance());
     };
     if (!model_.isEmpty()) {
@@ -111,8 +114,9 @@ CouplingIteration BlockQuasiNewton::accept(const VectorXd& finalForces, double l
     assert(deltaT_ > 0);
     // Loads as they are: the final corrector has had the displacement of the one before.
     const VectorXd loads = structure_.loads(finalForces, now_.d);
-    const VectorXd move = nextState(loads).x - now_.x;
-    const VectorXd d = structure_.solveFor(loads + model_.matrix().apply(move, loads.size()));
+    const InterfaceState next = nextState(loads);
+    const VectorXd d =
+        structure_.solveFor(loads + model_.matrix().apply(next.x - now_.x, loads.size()), next.d);
     const VectorXd xTilde = structure_.displacements(d);
     const double residual = criteria_.displacementResidual(now_.x, xTilde);
     if (!(residual < limit)) {

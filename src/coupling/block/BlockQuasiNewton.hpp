@@ -3,6 +3,7 @@
 
 #include "coupling/block/FluidLag.hpp"
 #include "coupling/block/ResponseModel.hpp"
+#include "coupling/block/WoodburySolver.hpp"
 #include "coupling/step/CoupledStructure.hpp"
 #include "coupling/step/CouplingMethod.hpp"
 #include "coupling/step/CouplingOptions.hpp"
@@ -38,6 +39,7 @@ class BlockQuasiNewton : public CouplingMethod {
                              double limit = std::numeric_limits<double>::infinity()) override;
     void reject() override;
 
+    void dropTangent() override { steps_.forget(); }
     std::string name() const override { return "block"; }
     void save(StateWriter& state) const override;
     void restore(StateReader& state) override;
@@ -58,6 +60,7 @@ class BlockQuasiNewton : public CouplingMethod {
     const Options options_;
     ConvergenceCriteria criteria_;
     LinearisedStructure& structure_;
+    WoodburySolver steps_;
     Predictor predictor_; ///< of d
     ResponseModel model_;
     FluidLag lag_;

@@ -3,8 +3,6 @@
 
 #include "common/errors.hpp"
 
-#include <Eigen/LU>
-
 namespace tokay::coupling {
 namespace {
 
@@ -16,38 +14,24 @@ constexpr double rounding = 1e-11;
 
 } // namespace
 
-BlockSystem::BlockSystem(LinearisedStructure& structure, const Eigen::VectorXd& loads,
-                         const Eigen::VectorXd& xOfLoads, LowRankMatrix J)
-    : structure_(structure), loads_(loads), xOfLoads_(xOfLoads), J_(std::move(J)) {}
-
 /// L(x(d)) - R(d)
 Eigen::VectorXd BlockSystem::imbalance(const Eigen::VectorXd& d) const {
     const Eigen::VectorXd move = structure_.displacements(d) - xOfLoads_;
     return loads_ + J_.apply(move, loads_.size()) - structure_.residual(d);
 }
 
-Eigen::VectorXd BlockSystem::newtonStep(const Eigen::VectorXd& imbalance) const {
-    Eigen::VectorXd step = structure_.responses(imbalance);
-    if (J_.rank() == 0) {
-        return step;
-    }
-    const Eigen::MatrixXd Z = structure_.responses(J_.A());
-    const Eigen::MatrixXd coefficients = J_.B().transpose() * structure_.variations(Z);
-    const Eigen::VectorXd driven = J_.B().transpose() * structure_.variations(step);
-    const Eigen::Index r = J_.rank();
-    step += Z * (Eigen::MatrixXd::Identity(r, r) - coefficients).partialPivLu().solve(driven);
-    return step;
-}
-
 Eigen::VectorXd BlockSystem::solve(Eigen::VectorXd d, double tolerance) const {
     Eigen::VectorXd current = imbalance(d);
     const double start = current.norm();
+    bool reuses = structure_.reuseContraction() > 0;
     for (int iteration = 0; iteration < maxIterations; ++iteration) {
         if (current.norm() <= rounding * start) {
             return d;
         }
-        structure_.linearise(d);
-        const Eigen::VectorXd step = newtonStep(current);
+        if (!reuses) {
+            structure_.linearise(d);
+        }
+        const Eigen::VectorXd step = steps_.solve(J_, current);
         double length = 1;
         Eigen::VectorXd next = d + step;
         Eigen::VectorXd nextImbalance = imbalance(next);
@@ -55,6 +39,12 @@ Eigen::VectorXd BlockSystem::solve(Eigen::VectorXd d, double tolerance) const {
             return nextImbalance.norm() <= (1 - 1e-4 * length) * current.norm();
         };
         const auto isShort = [&] { return length * step.norm() <= tolerance * next.norm(); };
+        const bool serves = nextImbalance.norm() <= structure_.reuseContraction() * current.norm();
+        if (reuses && !serves) {
+            reuses = false; // the same step with a new tangent
+            continue;
+        }
+        reuses = serves;
         while (!hasDecreased() && length > 1e-3 && !isShort()) {
             length /= 2;
             next = d + length * step;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "coupling/block/WoodburySolver.hpp"
 #include "coupling/history/LowRankMatrix.hpp"
 #include "coupling/step/CoupledStructure.hpp"
 
@@ -9,17 +10,17 @@ namespace tokay::coupling {
 /// A structure in a fluid that responds linearly, L(x) = loads + J (x - xOfLoads)
 /// with J = A Bᵀ of small rank:  R(d) - L(x(d)) = 0.
 ///
-/// Newton's method needs nothing but the structure's own factors: with
-/// y = K⁻¹ b and Z = K⁻¹ A the step is y + Z (1 - Bᵀ P Z)⁻¹ Bᵀ P y, that is
-/// rank + 1 back-substitutions.
+/// Newton's method needs nothing but the structure's own factors. @see WoodburySolver
 class BlockSystem {
   public:
-    /// Borrows the structure and both vectors.
-    /// @param J  from displacements of the interface to loads on the structure
-    BlockSystem(LinearisedStructure& structure, const Eigen::VectorXd& loads,
-                const Eigen::VectorXd& xOfLoads, LowRankMatrix J);
+    /// Borrows all.
+    /// @param steps  of this structure, kept from one system to the next
+    /// @param J      from displacements of the interface to loads on the structure
+    BlockSystem(LinearisedStructure& structure, WoodburySolver& steps, const Eigen::VectorXd& loads,
+                const Eigen::VectorXd& xOfLoads, const LowRankMatrix& J)
+        : structure_(structure), steps_(steps), loads_(loads), xOfLoads_(xOfLoads), J_(J) {}
 
-    /// Newton's method with line search.
+    /// Newton's method with line search, which keeps a tangent as long as it serves.
     /// @param d          start
     /// @param tolerance  of the last step, relative to d
     /// @throws SolverError if it does not converge
@@ -27,12 +28,12 @@ class BlockSystem {
 
   private:
     Eigen::VectorXd imbalance(const Eigen::VectorXd& d) const;
-    Eigen::VectorXd newtonStep(const Eigen::VectorXd& imbalance) const;
 
     LinearisedStructure& structure_;
+    WoodburySolver& steps_;
     const Eigen::VectorXd& loads_;
     const Eigen::VectorXd& xOfLoads_;
-    LowRankMatrix J_;
+    const LowRankMatrix& J_;
 };
 
 } // namespace tokay::coupling

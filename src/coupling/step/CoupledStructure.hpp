@@ -22,6 +22,10 @@ class LinearisedStructure {
     /// @throws SolverError if K is singular
     virtual void linearise(const Eigen::VectorXd& d) = 0;
 
+    /// How much of an imbalance a step with the K and P of an earlier linearise() may leave for
+    /// them to serve once more; 0: there are none for this time step, or none is to serve again.
+    virtual double reuseContraction() const { return 0; }
+
     /// K⁻¹ b for several b at once, N x m, with the K of the last linearise().
     virtual Eigen::MatrixXd responses(const Eigen::MatrixXd& b) = 0;
 
@@ -35,8 +39,10 @@ class LinearisedStructure {
     virtual Eigen::VectorXd loads(const Eigen::VectorXd& faceForces, const Eigen::VectorXd& d) = 0;
 
     /// The d of R(d) = L, which the structure accepts if the step ends with it.
-    /// @throws SolverError if Newton's method fails
-    virtual Eigen::VectorXd solveFor(const Eigen::VectorXd& loads) = 0;
+    /// @param start  for Newton's method
+    /// @throws SolverError if that fails
+    virtual Eigen::VectorXd solveFor(const Eigen::VectorXd& loads,
+                                     const Eigen::VectorXd& start) = 0;
 };
 
 /// The structure as a coupling method sees it within one time step, x̃ = S(F).

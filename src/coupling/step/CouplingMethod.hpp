@@ -71,6 +71,9 @@ class CouplingMethod {
     /// Takes the step back; it will be tried again, shorter.
     virtual void reject() = 0;
 
+    /// Between two time steps: what follows depends on what save() writes alone.
+    virtual void dropTangent() {}
+
     /// A method can continue from what one of the same name has saved.
     virtual std::string name() const = 0;
     virtual void save(StateWriter& state) const = 0;

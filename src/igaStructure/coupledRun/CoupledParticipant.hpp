@@ -38,6 +38,10 @@ class CoupledParticipant {
     /// @param final  on the fluid's faces, finite
     virtual StructureResponse acceptTimeStep(const channel::Forces& final) = 0;
 
+    /// Writes the results of the accepted step, while the fluid goes on. What a restart
+    /// needs has been written by acceptTimeStep().
+    virtual void finishTimeStep() = 0;
+
     /// Takes the step back; it begins again, shorter.
     virtual void rejectTimeStep() = 0;
 

@@ -171,11 +171,12 @@ void CoupledSession::advance(const BeginStep& begin) {
         } else if (!response.accepted) {
             send(response.converged ? State::converged : State::iterate, response);
         } else {
+            send(State::accepted, response);
+            acceptedTime_ = time_;
             if (recorder_) {
                 recorder_->add(time_, response.displacements);
             }
-            send(State::accepted, response);
-            acceptedTime_ = time_;
+            participant_->finishTimeStep();
             if (!forces->fluidTimes.empty()) {
                 participant_->removeStatesExcept(forces->fluidTimes);
             }

@@ -80,6 +80,7 @@ void FsiParticipant::save() {
     method_->save(write);
     states_.add(state, deltaT_);
     integrator_.dropTangent();
+    method_->dropTangent();
 }
 
 VectorXd FsiParticipant::beginTimeStep(int step, double time, double deltaT) {
@@ -113,13 +114,18 @@ StructureResponse FsiParticipant::acceptTimeStep(const channel::Forces& final) {
     if (final.write) {
         save();
     }
-    output_->finishStep(report_, integrator_.state(), integrator_.energies(), timer_, final.write);
+    writesResults_ = final.write;
     StructureResponse response{last.x, last.residual, true, true};
     if (audits_) {
         response.balance = interfaceBalance(boundary_, {finalForces, before, structure_.mappedAt(),
                                                         integrator_.state().displacement, deltaT_});
     }
     return response;
+}
+
+void FsiParticipant::finishTimeStep() {
+    output_->finishStep(report_, integrator_.state(), integrator_.energies(), timer_,
+                        writesResults_);
 }
 
 coupling::CouplingIteration FsiParticipant::accept(const VectorXd& finalForces, double limit) {

@@ -23,6 +23,7 @@ class FsiParticipant : public CoupledParticipant {
     Eigen::VectorXd beginTimeStep(int step, double time, double deltaT) override;
     StructureResponse iterate(const Eigen::VectorXd& faceForces, double fluidResidual) override;
     StructureResponse acceptTimeStep(const channel::Forces& final) override;
+    void finishTimeStep() override;
     void rejectTimeStep() override;
     void removeStatesExcept(const std::vector<double>& fluidTimes) override {
         states_.removeExcept(fluidTimes);
@@ -44,6 +45,7 @@ class FsiParticipant : public CoupledParticipant {
     StepReport report_;
     const double tolerance_;
     const bool audits_;
+    bool writesResults_ = false; ///< of the accepted step
     double deltaT_ = 0;
 };
 

@@ -8,7 +8,7 @@ using Eigen::VectorXd;
 
 void FsiStructure::beginTimeStep(double time, double deltaT) {
     integrator_.beginTimeStep(time, deltaT);
-    linearisedAt_.resize(0);
+    isLinearised_ = false;
     nIterations_ = 0;
 }
 
@@ -17,13 +17,19 @@ VectorXd FsiStructure::acceptedDisplacements() const {
 }
 
 VectorXd FsiStructure::solve(const VectorXd& faceForces) {
-    return displacements(solveFor(map(faceForces, integrator_.displacement())));
+    return displacements(solveUnder(map(faceForces, integrator_.displacement())));
 }
 
-VectorXd FsiStructure::solveFor(const VectorXd& loads) {
+VectorXd FsiStructure::solveFor(const VectorXd& loads, const VectorXd& start) {
+    integrator_.singleStep().startFrom(start);
+    return solveUnder(loads);
+}
+
+VectorXd FsiStructure::solveUnder(const VectorXd& loads) {
     const auto timed = timer_.enter(Phase::solving);
     integrator_.solve(loads);
-    linearisedAt_.resize(0);
+    isLinearised_ = false;
+    linearisedAt_ = integrator_.displacement(); // or near it
     nIterations_ += integrator_.nIterations();
     return integrator_.displacement();
 }
@@ -35,12 +41,17 @@ VectorXd FsiStructure::residual(const VectorXd& d) {
 
 void FsiStructure::linearise(const VectorXd& d) {
     const auto timed = timer_.enter(Phase::solving);
-    if (linearisedAt_.size() == d.size() && linearisedAt_ == d) {
+    if (isLinearised_ && linearisedAt_ == d) {
         return;
     }
     integrator_.singleStep().linearise(d);
     linearisedAt_ = d;
+    isLinearised_ = true;
     ++nIterations_;
+}
+
+double FsiStructure::reuseContraction() const {
+    return integrator_.singleStep().reuseContraction();
 }
 
 MatrixXd FsiStructure::responses(const MatrixXd& b) {

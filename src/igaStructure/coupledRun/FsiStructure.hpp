@@ -31,7 +31,8 @@ class FsiStructure : public coupling::CoupledStructure, public coupling::Lineari
     Eigen::VectorXd displacements(const Eigen::VectorXd& d) override;
     Eigen::MatrixXd variations(const Eigen::MatrixXd& D) override;
     Eigen::VectorXd loads(const Eigen::VectorXd& faceForces, const Eigen::VectorXd& d) override;
-    Eigen::VectorXd solveFor(const Eigen::VectorXd& loads) override;
+    double reuseContraction() const override;
+    Eigen::VectorXd solveFor(const Eigen::VectorXd& loads, const Eigen::VectorXd& start) override;
 
     /// Displacement of the unknowns at which the last forces were mapped.
     const Eigen::VectorXd& mappedAt() const { return mappedAt_; }
@@ -40,6 +41,7 @@ class FsiStructure : public coupling::CoupledStructure, public coupling::Lineari
     int nIterations() const { return nIterations_; }
 
   private:
+    Eigen::VectorXd solveUnder(const Eigen::VectorXd& loads);
     Eigen::VectorXd map(const Eigen::VectorXd& faceForces, const Eigen::VectorXd& d);
 
     const StructuralModel& model_;
@@ -47,7 +49,8 @@ class FsiStructure : public coupling::CoupledStructure, public coupling::Lineari
     const WetBoundary& boundary_;
     PhaseTimer& timer_;
     Eigen::VectorXd mappedAt_;
-    Eigen::VectorXd linearisedAt_; ///< empty: nowhere in this time step
+    Eigen::VectorXd linearisedAt_; ///< of P
+    bool isLinearised_ = false;    ///< in this time step; K is that of linearisedAt_ then
     int nIterations_ = 0;
 };
 

@@ -20,9 +20,12 @@ StructureResponse PrescribedStructure::iterate(const Eigen::VectorXd&, double) {
 
 StructureResponse PrescribedStructure::acceptTimeStep(const channel::Forces&) {
     ++nExchanges_;
+    return {displacements_, 0, true, true};
+}
+
+void PrescribedStructure::finishTimeStep() {
     report_(fmt::format("step {} time {:.6g} s  exchanges {}  prescribed motion", step_, time_,
                         nExchanges_));
-    return {displacements_, 0, true, true};
 }
 
 } // namespace tokay::structure

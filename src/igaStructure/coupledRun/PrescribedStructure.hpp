@@ -17,6 +17,7 @@ class PrescribedStructure : public CoupledParticipant {
     Eigen::VectorXd beginTimeStep(int step, double time, double deltaT) override;
     StructureResponse iterate(const Eigen::VectorXd& faceForces, double fluidResidual) override;
     StructureResponse acceptTimeStep(const channel::Forces&) override;
+    void finishTimeStep() override;
     void rejectTimeStep() override {}
     void removeStatesExcept(const std::vector<double>& /*fluidTimes*/) override {}
 

@@ -144,6 +144,11 @@ void TimeIntegrator::linearise(const VectorXd& displacement) {
         tangent_ = stiffness_;
         factorise();
     }
+    tangentServes_ = true;
+}
+
+double TimeIntegrator::reuseContraction() const {
+    return tangentServes_ && isFactoredForStep() ? newton_.reuseContraction : 0;
 }
 
 Eigen::MatrixXd TimeIntegrator::responses(const Eigen::MatrixXd& forces) {

@@ -65,8 +65,12 @@ class TimeIntegrator {
     /// @throws SolverError if it is singular
     void linearise(const Eigen::VectorXd& displacement);
 
-    /// Changes of the displacement by interface forces, a column each, after
-    /// linearise().
+    /// NewtonOptions' if there is a factored tangent for this time step that has served in the
+    /// last iteration; else 0.
+    double reuseContraction() const;
+
+    /// Changes of the displacement by interface forces, a column each, by the tangent
+    /// factored last.
     Eigen::MatrixXd responses(const Eigen::MatrixXd& forces);
 
     /// The last solution becomes the state.
