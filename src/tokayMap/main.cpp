@@ -70,7 +70,7 @@ void addOperator(CLI::App& app, tool::OperatorOptions& options) {
         [&options](const std::string& name) {
             options.rbf.kernel = mapper::radialKernelFromName(name);
         },
-        "rbf: thinPlate (default), compactC2 or compactC6");
+        "rbf: thinPlate (default), compactC2, compactC4 or compactC6");
     using mapper::RbfSolution;
     app.add_option(
            "--solution", options.rbf.solution,

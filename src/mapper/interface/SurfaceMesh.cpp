@@ -134,6 +134,17 @@ void SurfaceMesh::evaluate(int triangle, const Barycentric& at, Functions& funct
     functions.weights[(start + 1) % n] += at[1];
 }
 
+void SurfaceMesh::evaluateCorners(int triangle, std::vector<int>& values,
+                                  Eigen::Matrix<double, Eigen::Dynamic, 3>& weights) const {
+    Functions atCorner;
+    for (int corner = 0; corner < 3; ++corner) {
+        evaluate(triangle, Barycentric::Unit(corner), atCorner);
+        weights.resize(atCorner.weights.size(), 3);
+        weights.col(corner) = atCorner.weights;
+    }
+    values = std::move(atCorner.values);
+}
+
 Location SurfaceMesh::locate(const Point& point) const {
     geometry::ClosestCandidate candidate(size_);
     int nearest = 0;

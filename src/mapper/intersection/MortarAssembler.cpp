@@ -60,7 +60,7 @@ void MortarAssembler::Part::makeDual() {
     mass = sums.asDiagonal();
 }
 
-MortarAssembler::Part& MortarAssembler::partOf(int element, const Functions& to) {
+MortarAssembler::Part& MortarAssembler::partOf(int element, const std::vector<int>& toValues) {
     for (std::size_t i = 0; i < nParts_; ++i) {
         if (parts_[i].element == element) {
             return parts_[i];
@@ -70,9 +70,9 @@ MortarAssembler::Part& MortarAssembler::partOf(int element, const Functions& to)
         parts_.emplace_back();
     }
     Part& part = parts_[nParts_++];
-    const Eigen::Index n = to.weights.size();
+    const auto n = static_cast<Eigen::Index>(toValues.size());
     part.element = element;
-    part.toValues = to.values;
+    part.toValues = toValues;
     part.fromValues.clear();
     part.mass = Eigen::MatrixXd::Zero(n, n);
     part.cross.resize(n, part.cross.cols());
@@ -80,7 +80,18 @@ MortarAssembler::Part& MortarAssembler::partOf(int element, const Functions& to)
 }
 
 void MortarAssembler::add(double weight, const Functions& to, const Functions& from, int element) {
-    partOf(element, to).add(weight, to, from);
+    partOf(element, to.values).add(weight, to, from);
+}
+
+void MortarAssembler::add(const std::vector<int>& toValues, const std::vector<int>& fromValues,
+                          const Eigen::MatrixXd& mass, const Eigen::MatrixXd& cross) {
+    Part& part = partOf(0, toValues);
+    assert(part.toValues == toValues);
+    part.mass += mass;
+    for (std::size_t j = 0; j < fromValues.size(); ++j) {
+        const int number = part.column(fromValues[j]);
+        part.cross.col(number) += cross.col(static_cast<Eigen::Index>(j));
+    }
 }
 
 void MortarAssembler::addUnmatched(const Functions& to) {

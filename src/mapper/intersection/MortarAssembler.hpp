@@ -24,6 +24,13 @@ class MortarAssembler {
     /// list of its functions.
     void add(double weight, const Functions& to, const Functions& from, int element = 0);
 
+    /// Integrals over a piece of an element, of all products of functions of the destination
+    /// with each other and with those of the source.
+    /// @param mass   nTo x nTo
+    /// @param cross  nTo x nFrom
+    void add(const std::vector<int>& toValues, const std::vector<int>& fromValues,
+             const Eigen::MatrixXd& mass, const Eigen::MatrixXd& cross);
+
     /// A place with no partner: its functions exist, but get nothing from there.
     void addUnmatched(const Functions& to);
     void addUnmatched(int toValue) { isOnInterface_[toValue] = 1; }
@@ -51,7 +58,7 @@ class MortarAssembler {
         void add(double weight, const Functions& to, const Functions& from);
         void makeDual();
     };
-    Part& partOf(int element, const Functions& to);
+    Part& partOf(int element, const std::vector<int>& toValues);
     void close(const Part& part);
 
     int nTo_, nFrom_;

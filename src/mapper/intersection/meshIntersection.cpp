@@ -76,11 +76,20 @@ Point foot(const Triangle& triangle, const Point& point) {
 }
 
 /// Another side of a thin body can lie within reach too: the source that counts
-/// is the one that is closest to the piece.
+/// is the one that is closest to the piece. None is less than half as far.
 bool isClosest(const SurfaceMesh& from, const Triangle& source, const Point& middle,
                double rounding) {
     const double gap = (foot(source, middle) - middle).norm();
-    return gap <= 2 * from.locate(middle).gap + rounding;
+    const double limit = 0.5 * (gap - rounding);
+    if (limit <= 0) {
+        return true;
+    }
+    const std::vector<int> near =
+        from.tree().overlapping({middle - Point::Constant(limit), middle + Point::Constant(limit)});
+    return std::none_of(near.begin(), near.end(), [&](int i) {
+        const Triangle& other = from.triangle(i);
+        return (other.at(other.closest(middle)) - middle).norm() < limit;
+    });
 }
 
 class Integration {
@@ -95,6 +104,7 @@ class Integration {
         const Triangle& destination = to_.triangle(number);
         const Plane plane(destination);
         const Polygon target = plane.project(destination);
+        to_.evaluateCorners(number, toValues_, onTo_);
         double covered = 0;
         for (const int i : sourcesAlongNormal(destination, plane, target)) {
             covered += overPiece(number, i, plane,
@@ -136,26 +146,50 @@ class Integration {
         if (!isClosest(from_, source, plane.lift(middle), 1e-6 * from_.size())) {
             return 0;
         }
-        for (std::size_t i = 1; i + 1 < piece.size(); ++i) {
-            const Triangle part(plane.lift(piece[0]), plane.lift(piece[i]),
-                                plane.lift(piece[i + 1]));
-            for (std::size_t k = 0; k < rule_.points.size(); ++k) {
-                addPoint(toTriangle, fromTriangle, part.at(rule_.points[k]),
-                         rule_.weights[k] * part.area());
-            }
-        }
+        integrate(toTriangle, fromTriangle, plane, piece);
         return area;
     }
 
-    void addPoint(int toTriangle, int fromTriangle, const Point& point, double weight) {
-        const Barycentric inSource = from_.triangle(fromTriangle).barycentric(point);
-        const double gap = (from_.triangle(fromTriangle).at(inSource) - point).norm();
-        const Functions functions =
-            to_.functions(toTriangle, to_.triangle(toTriangle).barycentric(point));
-        if (gaps_.count(point, gap, true, false, weight)) {
-            assembler_.add(weight, functions, from_.functions(fromTriangle, inSource));
-        } else {
-            assembler_.addUnmatched(functions);
+    /// All functions are linear on a piece, so their products follow from those of the
+    /// triangles' barycentric coordinates.
+    void integrate(int toTriangle, int fromTriangle, const Plane& plane, const Polygon& piece) {
+        const Triangle &destination = to_.triangle(toTriangle),
+                       &source = from_.triangle(fromTriangle);
+        Eigen::Matrix3d mass = Eigen::Matrix3d::Zero(), cross = mass;
+        bool isMatched = false, isUnmatched = false;
+        for (std::size_t i = 1; i + 1 < piece.size(); ++i) {
+            const Polygon part = {piece[0], piece[i], piece[i + 1]};
+            const double area = signedArea(part);
+            for (std::size_t k = 0; k < rule_.points.size(); ++k) {
+                const Barycentric& at = rule_.points[k];
+                const Point point = plane.lift(at[0] * part[0] + at[1] * part[1] + at[2] * part[2]);
+                const double weight = rule_.weights[k] * area;
+                const Barycentric inSource = source.barycentric(point);
+                const double gap = (source.at(inSource) - point).norm();
+                if (!gaps_.count(point, gap, true, false, weight)) {
+                    isUnmatched = true;
+                    continue;
+                }
+                const Barycentric here = destination.barycentric(point);
+                mass += weight * here * here.transpose();
+                cross += weight * here * inSource.transpose();
+                isMatched = true;
+            }
+        }
+        enter(fromTriangle, isMatched, isUnmatched, mass, cross);
+    }
+
+    void enter(int fromTriangle, bool isMatched, bool isUnmatched, const Eigen::Matrix3d& mass,
+               const Eigen::Matrix3d& cross) {
+        if (isMatched) {
+            from_.evaluateCorners(fromTriangle, fromValues_, onFrom_);
+            assembler_.add(toValues_, fromValues_, onTo_ * mass * onTo_.transpose(),
+                           onTo_ * cross * onFrom_.transpose());
+        }
+        if (isUnmatched) {
+            for (const int value : toValues_) {
+                assembler_.addUnmatched(value);
+            }
         }
     }
 
@@ -164,7 +198,9 @@ class Integration {
             return;
         }
         gaps_.countUncovered(area);
-        assembler_.addUnmatched(to_.functions(toTriangle, Barycentric::Constant(1.0 / 3)));
+        for (const int value : toValues_) {
+            assembler_.addUnmatched(value);
+        }
     }
 
     const SurfaceMesh &from_, &to_;
@@ -172,6 +208,8 @@ class Integration {
     MortarAssembler& assembler_;
     GapStatistics& gaps_;
     const geometry::TriangleRule& rule_;
+    std::vector<int> toValues_, fromValues_;
+    Eigen::Matrix<double, Eigen::Dynamic, 3> onTo_, onFrom_; ///< functions at corners
 };
 
 } // namespace

@@ -73,7 +73,7 @@ OffsetMapping::OffsetMapping(const SurfaceInterface& middle, const Points& to,
 }
 
 void OffsetMapping::attach(const Point& point, std::vector<int> controlPoints, Eigen::MatrixXd N) {
-    Attachment attachment{std::move(controlPoints), std::move(N), 0, Eigen::Vector2d::Zero()};
+    Attachment attachment{std::move(controlPoints), std::move(N), 0, Eigen::Vector2d::Zero(), {}};
     const Frame frame = frameOf(attachment, controlPoints_);
     if (!(frame.area > 0)) {
         throw InputError(fmt::format("the point at ({:.6g}, {:.6g}, {:.6g}) projects onto a place "
@@ -90,6 +90,7 @@ void OffsetMapping::attach(const Point& point, std::vector<int> controlPoints, E
     if (isBeam_) {
         attachment.tangential[1] = 0;
     }
+    attachment.reference = position(attachment, frame);
     attachments_.push_back(std::move(attachment));
 }
 
@@ -123,16 +124,17 @@ OffsetMapping::Frame OffsetMapping::frameOf(const Attachment& attachment,
     return frame;
 }
 
+Point OffsetMapping::position(const Attachment& attachment, const Frame& frame) {
+    return frame.r + attachment.zeta * frame.a3 + attachment.tangential[0] * frame.a1 +
+           attachment.tangential[1] * frame.a2;
+}
+
 Points OffsetMapping::moved(const Points& displacements) const {
     const Points current = controlPoints_ + displacements;
-    const auto position = [](const Attachment& attachment, const Frame& frame) -> Point {
-        return frame.r + attachment.zeta * frame.a3 + attachment.tangential[0] * frame.a1 +
-               attachment.tangential[1] * frame.a2;
-    };
     Points result(attachments_.size(), 3);
     for (std::size_t i = 0; i < attachments_.size(); ++i) {
         result.row(i) = position(attachments_[i], frameOf(attachments_[i], current)) -
-                        position(attachments_[i], frameOf(attachments_[i], controlPoints_));
+                        attachments_[i].reference;
     }
     return result;
 }

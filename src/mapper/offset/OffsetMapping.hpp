@@ -48,6 +48,7 @@ class OffsetMapping : public Mapping {
         Eigen::MatrixXd N;
         double zeta;
         Eigen::Vector2d tangential;
+        Point reference; ///< where that is with no displacement
     };
     /// Base vectors at a projection.
     struct Frame {
@@ -55,6 +56,7 @@ class OffsetMapping : public Mapping {
         double area;
     };
 
+    static Point position(const Attachment& attachment, const Frame& frame);
     Frame frameOf(const Attachment& attachment, const Points& controlPoints) const;
     void attach(const Point& point, std::vector<int> controlPoints, Eigen::MatrixXd N);
     void finish(const GapStatistics& gaps, const Points& to);

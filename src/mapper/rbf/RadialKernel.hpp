@@ -10,6 +10,7 @@ namespace tokay::mapper {
 enum class RadialKernel {
     thinPlate, ///< r^2 log r: smoothest interpolation, a dense matrix
     compactC2, ///< (1 - r)^4 (4 r + 1) for r < 1, sparse
+    compactC4, ///< (1 - r)^6 (35 r^2 + 18 r + 3) / 3 for r < 1, sparse
     compactC6  ///< (1 - r)^8 (32 r^3 + 25 r^2 + 8 r + 1) for r < 1, sparse
 };
 

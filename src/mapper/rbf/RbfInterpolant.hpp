@@ -38,10 +38,12 @@ std::unique_ptr<RbfInterpolant> sparseInterpolant(const Points& from, const Poin
 /// taken off, so that linear fields are exact on any cloud.
 /// @param tree       over the source's points
 /// @param nPerBall   source points of a ball
+/// @param radius     of a compact kernel [m]; 0: twice that of the ball
 /// Source: Wendland, Scattered Data Approximation, chapter 15.4
 std::unique_ptr<RbfInterpolant> partitionInterpolant(const Points& from, const Points& to,
                                                      const geometry::BoxTree& tree,
-                                                     RadialKernel kernel, int nPerBall);
+                                                     RadialKernel kernel, int nPerBall,
+                                                     double radius);
 
 /// Boxes of no extent, for a tree over points.
 std::vector<geometry::Box> pointBoxes(const Points& points);

@@ -63,14 +63,14 @@ void refuseTooManyDensePoints(Eigen::Index nFrom, Eigen::Index nTo) {
     if (nFrom > RbfMapping::maxDensePoints) {
         throw InputError(fmt::format("the thin plate kernel needs a dense matrix of {0} x {0} "
                                      "points; the limit is {1}; choose the partition of unity, or "
-                                     "compactC2 or compactC6",
+                                     "compactC2, compactC4 or compactC6",
                                      nFrom, RbfMapping::maxDensePoints));
     }
     if (denseBytes(nFrom, nTo) > RbfMapping::maxDenseBytes) {
         throw InputError(fmt::format("the thin plate kernel solved globally needs a dense matrix "
                                      "of {} destination x {} source points, {:.3g} GB; the limit "
-                                     "is {:.3g} GB; choose the partition of unity, or compactC2 "
-                                     "or compactC6",
+                                     "is {:.3g} GB; choose the partition of unity, or compactC2, "
+                                     "compactC4 or compactC6",
                                      nTo, nFrom, denseBytes(nFrom, nTo) / 1e9,
                                      RbfMapping::maxDenseBytes / 1e9));
     }
@@ -91,7 +91,7 @@ RbfSolution chosenSolution(const RbfOptions& options, Eigen::Index nFrom, Eigen:
     const bool isGlobal =
         options.kernel == RadialKernel::thinPlate
             ? nFrom <= mostPoints && denseBytes(nFrom, nTo) <= RbfMapping::maxDenseBytes
-            : options.radius > 0 || options.nNeighbours > 0;
+            : options.nNeighbours > 0;
     return isGlobal ? RbfSolution::global : RbfSolution::partitionOfUnity;
 }
 
@@ -110,7 +110,9 @@ RbfMapping::RbfMapping(const Points& from, const Points& to, const RbfOptions& o
     gaps.enter(report_);
 
     if (chosenSolution(options, from.rows(), to.rows()) == RbfSolution::partitionOfUnity) {
-        interpolant_ = partitionInterpolant(from, to, tree, options.kernel, options.nPerBall);
+        radius_ = options.kernel == RadialKernel::thinPlate ? 0 : options.radius;
+        interpolant_ =
+            partitionInterpolant(from, to, tree, options.kernel, options.nPerBall, radius_);
         report_.method += ", partition of unity";
     } else if (options.kernel == RadialKernel::thinPlate) {
         refuseTooManyDensePoints(from.rows(), to.rows());

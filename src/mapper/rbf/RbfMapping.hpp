@@ -22,9 +22,10 @@ struct RbfOptions {
     RbfSolution solution = RbfSolution::automatic;
     /// Source points of a ball of the partition of unity.
     int nPerBall = 60;
-    /// Radius of the compact kernels, solved globally [m]; 0: so large that every point has about
-    /// nNeighbours others within it. That keeps the matrix sparse, but the error
-    /// then stops falling once the spacing is fine: the kernels shrink with it.
+    /// Radius of the compact kernels [m]; 0: for the partition of unity twice that of a ball;
+    /// globally so large that every point has about nNeighbours others within it. That
+    /// keeps the matrix sparse, but the error then stops falling once the spacing is fine: the
+    /// kernels shrink with it.
     double radius = 0;
     /// 0: 12 on curves, 40 on surfaces, 80 in space.
     int nNeighbours = 0;
@@ -36,8 +37,8 @@ struct RbfOptions {
 /// points, within the bound of memory: with more of them the partition of unity is at least as
 /// accurate and takes less memory, whatever the number of destination points
 /// (measured by benchmarks/mapping/run). Compact kernels are solved globally only if
-/// their radius or number of neighbours is given: at the automatic one the partition
-/// of unity is more accurate at any size.
+/// their number of neighbours is given: with a radius or without one the partition of
+/// unity is more accurate and quicker at any size.
 RbfSolution chosenSolution(const RbfOptions& options, Eigen::Index nFrom, Eigen::Index nTo);
 
 /// Interpolation by radial basis functions and linear polynomials: it needs no
@@ -57,7 +58,8 @@ class RbfMapping : public Mapping {
     Eigen::MatrixXd apply(const Eigen::MatrixXd& values) const override;
     Eigen::MatrixXd applyTransposed(const Eigen::MatrixXd& forces) const override;
 
-    /// Radius of the compact kernel [m]; 0 for the thin plate and the partition of unity.
+    /// Radius of the compact kernel [m]; 0 for the thin plate, and where it follows the balls
+    /// of the partition of unity.
     double radius() const { return radius_; }
 
   private:

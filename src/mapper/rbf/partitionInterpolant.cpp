@@ -79,7 +79,7 @@ Ball ballAround(const std::vector<int>& cell, const Points& points, const Princi
 class Partition : public RbfInterpolant {
   public:
     Partition(const Points& from, const Points& to, const geometry::BoxTree& tree,
-              RadialKernel kernel, int nPerBall)
+              RadialKernel kernel, int nPerBall, double radius)
         : nFrom_(from.rows()) {
         const LinearPolynomial linear(from);
         polynomials_ = linear.values(from);
@@ -90,7 +90,8 @@ class Partition : public RbfInterpolant {
         const Eigen::VectorXd sums = weightSums(to, balls);
         for (const Ball& ball : balls) {
             if (!ball.to.empty()) {
-                blocks_.push_back(blockOf(ball, from, to, kernel, sums));
+                blocks_.push_back(
+                    blockOf(ball, from, to, {kernel, radius > 0 ? radius : 2 * ball.radius}, sums));
             }
         }
     }
@@ -122,6 +123,10 @@ class Partition : public RbfInterpolant {
     }
 
   private:
+    struct Kernel {
+        RadialKernel type;
+        double scale;
+    };
     /// A ball's interpolation, times its weights.
     struct Block {
         std::vector<int> from, to;
@@ -185,18 +190,17 @@ class Partition : public RbfInterpolant {
     }
 
     static Block blockOf(const Ball& ball, const Points& from, const Points& to,
-                         RadialKernel kernel, const Eigen::VectorXd& sums) {
+                         const Kernel& kernel, const Eigen::VectorXd& sums) {
         const Points here = from(ball.from, Eigen::all), there = to(ball.to, Eigen::all);
         // Across a nearly flat ball the field says nothing about its slope.
         const LinearPolynomial linear(here, 0.05);
         const Eigen::Index n = here.rows(), m = linear.size();
-        const double scale = 2 * ball.radius;
         Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n + m, n + m),
                         evaluation(there.rows(), n + m);
-        system.topLeftCorner(n, n) = kernelMatrix(here, here, kernel, scale);
+        system.topLeftCorner(n, n) = kernelMatrix(here, here, kernel.type, kernel.scale);
         system.topRightCorner(n, m) = linear.values(here);
         system.bottomLeftCorner(m, n) = system.topRightCorner(n, m).transpose();
-        evaluation << kernelMatrix(there, here, kernel, scale), linear.values(there);
+        evaluation << kernelMatrix(there, here, kernel.type, kernel.scale), linear.values(there);
         const Eigen::MatrixXd solved =
             Eigen::PartialPivLU<Eigen::MatrixXd>(system).solve(evaluation.transpose());
         Block block{ball.from, ball.to, solved.topRows(n).transpose()};
@@ -218,8 +222,9 @@ class Partition : public RbfInterpolant {
 
 std::unique_ptr<RbfInterpolant> partitionInterpolant(const Points& from, const Points& to,
                                                      const geometry::BoxTree& tree,
-                                                     RadialKernel kernel, int nPerBall) {
-    return std::make_unique<Partition>(from, to, tree, kernel, nPerBall);
+                                                     RadialKernel kernel, int nPerBall,
+                                                     double radius) {
+    return std::make_unique<Partition>(from, to, tree, kernel, nPerBall, radius);
 }
 
 } // namespace tokay::mapper

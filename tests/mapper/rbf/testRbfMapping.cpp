@@ -17,7 +17,7 @@ namespace tokay::mapper {
 namespace {
 
 const RadialKernel allKernels[] = {RadialKernel::thinPlate, RadialKernel::compactC2,
-                                   RadialKernel::compactC6};
+                                   RadialKernel::compactC4, RadialKernel::compactC6};
 
 Points cloud(int nX, int nY, int seed) {
     return flatMesh(nX, nY, FaceKind::triangles, ValuesAt::vertices, 2, 1, seed).coordinates();
@@ -200,16 +200,38 @@ TEST(RbfMapping, solvesTheThinPlateGloballyForFewSourcePointsWithinTheBoundOfMem
     EXPECT_EQ(RbfMapping(few, to).report().method.find("partition"), std::string::npos);
 }
 
-TEST(RbfMapping, solvesCompactKernelsGloballyOnlyIfTheirReachIsGiven) {
+TEST(RbfMapping, solvesCompactKernelsGloballyOnlyIfTheirNumberOfNeighboursIsGiven) {
     for (const RadialKernel kernel : {RadialKernel::compactC2, RadialKernel::compactC6}) {
         RbfOptions options = with(kernel);
         EXPECT_EQ(chosenSolution(options, 20, 20), RbfSolution::partitionOfUnity);
         options.radius = 0.3;
-        EXPECT_EQ(chosenSolution(options, 20, 20), RbfSolution::global);
+        EXPECT_EQ(chosenSolution(options, 20, 20), RbfSolution::partitionOfUnity);
         options.radius = 0;
         options.nNeighbours = 20;
         EXPECT_EQ(chosenSolution(options, 20, 20), RbfSolution::global);
     }
+}
+
+TEST(RbfMapping, thePartitionOfUnityTakesTheRadiusOfACompactKernel) {
+    const auto smooth = [](const Points& x) -> Eigen::VectorXd {
+        return (4 * x.col(0)).array().sin() * (3 * x.col(1)).array().cos();
+    };
+    const Points from = cloud(48, 24, 0), to = cloud(37, 19, 3);
+    const auto errorWithin = [&](RadialKernel kernel, double radius) {
+        RbfOptions options = with(kernel);
+        options.radius = radius;
+        const RbfMapping mapping(from, to, options);
+        EXPECT_EQ(mapping.radius(), radius);
+        EXPECT_NE(mapping.report().method.find("partition"), std::string::npos);
+        return (mapping.apply(smooth(from)) - smooth(to)).norm();
+    };
+    // Spacing 0.042. The wider the kernel the smaller the error, the more the smoother it is.
+    for (const RadialKernel kernel :
+         {RadialKernel::compactC2, RadialKernel::compactC4, RadialKernel::compactC6}) {
+        EXPECT_LT(errorWithin(kernel, 1), 0.5 * errorWithin(kernel, 0.2)) << nameOf(kernel);
+    }
+    EXPECT_LT(errorWithin(RadialKernel::compactC6, 1),
+              0.5 * errorWithin(RadialKernel::compactC2, 1));
 }
 
 TEST(RbfMapping, theAutomaticChoiceIsAboutAsAccurateAsTheBetterSolution) {
