@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <thread>
 
@@ -21,6 +22,24 @@ namespace
 
 //- The child's end of the socket pair, by this number
 constexpr int childFileDescriptor = 3;
+
+//- This process's environment for the structure, whose threads are not to spin
+//  on the fluid's processors while they wait for each other
+//  \param passive  the entry that says so
+std::vector<char*> ownEnvironment(std::string& passive)
+{
+    std::vector<char*> entries;
+    for (char** entry = environ; *entry; ++entry)
+    {
+        entries.push_back(*entry);
+    }
+    if (!std::getenv("OMP_WAIT_POLICY"))
+    {
+        entries.push_back(&passive[0]);
+    }
+    entries.push_back(nullptr);
+    return entries;
+}
 
 //- Start the program with the socket and the log in place of its own files
 int spawn
@@ -57,10 +76,17 @@ int spawn
     posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
     posix_spawn_file_actions_adddup2(&actions, socket, childFileDescriptor);
 
+    std::string passive("OMP_WAIT_POLICY=passive");
+    std::vector<char*> environment(ownEnvironment(passive));
     const int error =
         posix_spawnp
         (
-            &pid, program.c_str(), &actions, nullptr, argv.data(), environ
+            &pid,
+            program.c_str(),
+            &actions,
+            nullptr,
+            argv.data(),
+            environment.data()
         );
     posix_spawn_file_actions_destroy(&actions);
 
