@@ -56,20 +56,61 @@ void Foam::harmonicBasis::pairPoints()
 }
 
 
-void Foam::harmonicBasis::extend(const harmonicExtension& extension)
+void Foam::harmonicBasis::extend
+(
+    const harmonicExtension& extension,
+    harmonicBasis* known
+)
 {
     W_ = List<List<scalarField>>(sets_.size(), List<scalarField>(size()));
     scalarField onPoints(boundary_.mesh().nPoints(), Zero);
     forAll(sets_, set)
     {
         const auto conditions(constraints_.conditions(sets_[set].odd));
-        forAll(W_[set], function)
+        for (label i = known ? known->size() : 0; i < size(); ++i)
         {
             UIndirectList<scalar>(onPoints, boundary_.points()) =
-                functions_.values(function);
-            W_[set][function] = extendedRows(extension, onPoints, conditions);
+                functions_.values(i);
+            W_[set][i] = extendedRows(extension, onPoints, conditions);
+        }
+        if (known)
+        {
+            combine(set, *known);
         }
     }
+}
+
+
+void Foam::harmonicBasis::combine(const label set, harmonicBasis& known)
+{
+    List<scalarField>& W = W_[set];
+    for (label i = 0; i < known.size(); ++i)
+    {
+        // What the known function is at the further control points
+        const scalarField excess
+        (
+            functions_.coefficients(known.functions_.values(i))
+        );
+        W[i] = atRows(known, known.W_[set][i]);
+        known.W_[set][i].clear();
+        for (label k = known.size(); k < size(); ++k)
+        {
+            W[i] -= excess[k]*W[k];
+        }
+    }
+}
+
+
+template<class Type>
+Foam::Field<Type> Foam::harmonicBasis::atRows
+(
+    const harmonicBasis& known,
+    const Field<Type>& values
+) const
+{
+    Field<Type> onPoints(boundary_.mesh().nPoints(), Zero);
+    UIndirectList<Type>(onPoints, known.rows_) = values;
+    return Field<Type>(onPoints, rows_);
 }
 
 
@@ -187,7 +228,8 @@ Foam::harmonicBasis::harmonicBasis
     const pointField& points0,
     const label n,
     Istream& diffusivity,
-    const bool rotation
+    const bool rotation,
+    harmonicBasis* known
 )
 :
     boundary_(boundary),
@@ -205,9 +247,18 @@ Foam::harmonicBasis::harmonicBasis
     const harmonicExtension extension(boundary.mesh(), points0, diffusivity);
     cellHeight_ = extension.firstCellHeight(boundary.patches());
     pairPoints();
-    extend(extension);
+    if (known && !known->functions_.areWithin(functions_))
+    {
+        known = nullptr;
+    }
+    extend(extension, known);
     keepMovingRows();
-    if (rotation_)
+    if (rotation_ && known)
+    {
+        offsets_ = atRows(*known, known->offsets_);
+        fades_ = atRows(*known, known->fades_);
+    }
+    else if (rotation_)
     {
         setOffsets(extension, points0);
     }

@@ -130,28 +130,55 @@ Foam::string Foam::harmonicBasisMotionSolver::excess(const label wanted) const
 }
 
 
-Foam::string Foam::harmonicBasisMotionSolver::build(const label n)
+Foam::labelList Foam::harmonicBasisMotionSolver::firstStages() const
 {
-    const string reason(excess(n));
+    labelList stages;
+    if (state_.found("nFunctions"))
+    {
+        // A dictionary cannot be read with a binary list
+        IStringStream list(state_.get<string>("nFunctions"));
+        list >> stages;
+    }
+    const label wanted = coeffDict().getCheckOrDefault<label>
+    (
+        "nFunctions",
+        32,
+        labelMinMax::ge(1)
+    );
+    if (stages.empty() || stages.last() < wanted)
+    {
+        stages.append(wanted);
+    }
+    return stages;
+}
+
+
+Foam::string Foam::harmonicBasisMotionSolver::build(const labelUList& stages)
+{
+    const string reason(excess(stages.last()));
     if (reason.empty())
     {
         const clockTime clock;
-        IStringStream diffusivityStream(diffusivity("power 0.5 "));
-        basis_.clear();
-        basis_.reset
-        (
-            new harmonicBasis
+        for (const label n : stages)
+        {
+            IStringStream diffusivityStream(diffusivity("power 0.5 "));
+            basis_.reset
             (
-                boundary_,
-                constraints_,
-                points0(),
-                n,
-                diffusivityStream,
-                rotation_
-            )
-        );
-        nFunctions_ = basis_->size();
-        state_.set("nFunctions", nFunctions_);
+                new harmonicBasis
+                (
+                    boundary_,
+                    constraints_,
+                    points0(),
+                    n,
+                    diffusivityStream,
+                    rotation_,
+                    basis_.get()
+                )
+            );
+        }
+        OStringStream list;
+        list << stages_;
+        state_.set("nFunctions", string(list.str()));
         Info<< typeName << ": ";
         basis_->writeSize(Info);
         Info<< ", built in " << clock.elapsedTime() << " s" << nl << endl;
@@ -200,7 +227,8 @@ Foam::string Foam::harmonicBasisMotionSolver::addFunctions
     {
         return string();
     }
-    const string reason(build(n));
+    stages_.append(n);
+    const string reason(build(labelList(1, n)));
     basis_->fit();
     return reason;
 }
@@ -215,7 +243,7 @@ Foam::string Foam::harmonicBasisMotionSolver::follow()
     }
     if (reason.empty() && !basis_.valid())
     {
-        reason = build(nFunctions_);
+        reason = build(stages_);
     }
     if (reason.empty())
     {

@@ -17,13 +17,27 @@
 namespace Foam
 {
 
-//- Tolerance of the linear solver, for the normalised residual: the functions
-//  are solved once, so there is no reason to save here
-constexpr scalar tightTolerance = 1e-12;
+//- Tolerance of a field for the normalised residual. A field that is a little
+//  off is as smooth, and the mesh moves by the same one to the end of the run
+constexpr scalar tolerance = 1e-9;
 
-//- Enough passes over the explicit part of non-orthogonal meshes
-constexpr label largestPasses = 30;
-constexpr scalar passTolerance = 1e-8;
+//- Enough passes over the explicit part of non-orthogonal meshes, what each has
+//  to gain, and what the last may leave
+constexpr label maxPasses = 30;
+constexpr scalar passGain = 0.1;
+constexpr scalar passTolerance = 1e-6;
+
+//- Controls of the linear solver
+static dictionary controls(const scalar relTol)
+{
+    dictionary controls;
+    controls.add("solver", word("GAMG"));
+    controls.add("smoother", word("GaussSeidel"));
+    controls.add("tolerance", tolerance);
+    controls.add("relTol", relTol);
+    controls.add("maxIter", 1000);
+    return controls;
+}
 
 } // End namespace Foam
 
@@ -81,9 +95,8 @@ void Foam::harmonicExtension::setDiffusivity(Istream& type)
 }
 
 
-Foam::volScalarField Foam::harmonicExtension::field
+Foam::volScalarField Foam::harmonicExtension::zeroField
 (
-    const scalarField& onPoints,
     const List<condition>& conditions
 ) const
 {
@@ -110,7 +123,7 @@ Foam::volScalarField Foam::harmonicExtension::field
 
     // With the patches' own types as the third argument, because a condition
     // may differ from that of a patch such as symmetryPlane
-    volScalarField onCells
+    return volScalarField
     (
         IOobject
         (
@@ -126,42 +139,78 @@ Foam::volScalarField Foam::harmonicExtension::field
         types,
         patches.types()
     );
-    forAll(conditions, patchi)
+}
+
+
+Foam::tmp<Foam::fvScalarMatrix> Foam::harmonicExtension::laplacian
+(
+    const volScalarField& onCells
+) const
+{
+    return fvm::laplacian
+    (
+        *diffusivity_,
+        onCells,
+        "laplacian(diffusivity,cellDisplacement)"
+    );
+}
+
+
+Foam::harmonicExtension::laplaceEquation&
+Foam::harmonicExtension::equation(const List<condition>& conditions) const
+{
+    if (!equation_.valid() || equation_->conditions != conditions)
     {
-        if (conditions[patchi] == condition::given)
+        equation_.clear();
+        equation_.reset(new laplaceEquation(*this, conditions));
+    }
+    return *equation_;
+}
+
+
+void Foam::harmonicExtension::setBoundary
+(
+    laplaceEquation& equation,
+    const scalarField& onPoints
+) const
+{
+    const fvMesh& mesh = *mesh_;
+    forAll(equation.conditions, patchi)
+    {
+        if (equation.conditions[patchi] == condition::given)
         {
-            const polyPatch& patch = patches[patchi];
-            fvPatchScalarField& onFaces = onCells.boundaryFieldRef()[patchi];
+            const polyPatch& patch = mesh.boundaryMesh()[patchi];
+            fvPatchScalarField& onFaces =
+                equation.onCells.boundaryFieldRef()[patchi];
             forAll(patch, facei)
             {
                 onFaces[facei] =
                     patch[facei].average(mesh.points(), onPoints);
             }
+            // As it enters the equation of the cell beside it
+            equation.matrix.boundaryCoeffs()[patchi] =
+                equation.matrix.internalCoeffs()[patchi]*onFaces;
         }
     }
-    return onCells;
 }
 
 
-void Foam::harmonicExtension::solve(volScalarField& onCells) const
+void Foam::harmonicExtension::solve(laplaceEquation& equation) const
 {
     const int verbosity = solverPerformance::debug;
     solverPerformance::debug = 0;
-    for (label pass = 0; pass < largestPasses; ++pass)
+    equation.onCells.primitiveFieldRef() = 0;
+    equation.matrix.source() = 0;
+    const dictionary inPass(controls(isCorrected_ ? passGain : 0));
+    for (label pass = 0; pass < maxPasses; ++pass)
     {
-        fvScalarMatrix equation
-        (
-            fvm::laplacian
-            (
-                *diffusivity_,
-                onCells,
-                "laplacian(diffusivity,cellDisplacement)"
-            )
-        );
-        if (equation.solve(solver_).initialResidual() < passTolerance)
+        const scalar residual =
+            equation.solver->solve(inPass).initialResidual();
+        if (residual < passTolerance || !isCorrected_)
         {
             break;
         }
+        equation.matrix.source() = laplacian(equation.onCells)().source();
     }
     solverPerformance::debug = verbosity;
 }
@@ -207,6 +256,19 @@ void Foam::harmonicExtension::setKnown
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
+Foam::harmonicExtension::laplaceEquation::laplaceEquation
+(
+    const harmonicExtension& extension,
+    const List<condition>& theConditions
+)
+:
+    conditions(theConditions),
+    onCells(extension.zeroField(conditions)),
+    matrix(extension.laplacian(onCells)),
+    solver(matrix.solver(controls(0)))
+{}
+
+
 Foam::harmonicExtension::harmonicExtension
 (
     const fvMesh& mesh,
@@ -216,11 +278,9 @@ Foam::harmonicExtension::harmonicExtension
 {
     makeMesh(mesh, points);
     setDiffusivity(diffusivity);
-    solver_.add("solver", word("PCG"));
-    solver_.add("preconditioner", word("DIC"));
-    solver_.add("tolerance", tightTolerance);
-    solver_.add("relTol", 0);
-    solver_.add("maxIter", 10000);
+    isCorrected_ =
+        gMax(mag(mesh_->nonOrthCorrectionVectors().primitiveField())())
+      > tolerance;
 }
 
 
@@ -252,8 +312,10 @@ Foam::scalarField Foam::harmonicExtension::extend
     const List<condition>& conditions
 ) const
 {
-    volScalarField onCells(field(onPoints, conditions));
-    solve(onCells);
+    laplaceEquation& equation = this->equation(conditions);
+    setBoundary(equation, onPoints);
+    solve(equation);
+    const volScalarField& onCells = equation.onCells;
 
     const polyBoundaryMesh& patches = mesh_->boundaryMesh();
     wordList types(patches.types());

@@ -355,12 +355,13 @@ Foam::vectorField Foam::interfaceFunctions::rotations
 }
 
 
-Foam::vectorField Foam::interfaceFunctions::coefficients
+template<class Type>
+Foam::Field<Type> Foam::interfaceFunctions::coefficients
 (
-    const vectorField& values
+    const Field<Type>& values
 ) const
 {
-    vectorField coefficients(size(), Zero);
+    Field<Type> coefficients(size(), Zero);
     forAll(controls_, i)
     {
         const label local = controls_[i] - offset_;
@@ -369,8 +370,22 @@ Foam::vectorField Foam::interfaceFunctions::coefficients
             coefficients[i] = values[local];
         }
     }
-    reduce(coefficients, sumOp<vectorField>());
+    reduce(coefficients, sumOp<Field<Type>>());
     return coefficients;
+}
+
+
+bool Foam::interfaceFunctions::areWithin
+(
+    const interfaceFunctions& others
+) const
+{
+    // Splines are those of the others that have no part of their linear
+    // functions, of which there must not be more
+    return
+        size() <= others.size()
+     && controls_ == SubList<label>(others.controls_, size())
+     && directions_.size() == others.directions_.size();
 }
 
 
