@@ -112,6 +112,15 @@ class StructuralModel {
         return Eigen::VectorXd::Zero(nUnknowns());
     }
 
+    /// True if unknowns that fixed() marks follow free ones, by extension() or from one
+    /// solution of a step to the next.
+    virtual bool hasDependents() const { return extension() != nullptr; }
+
+    /// Tells the model a solution with the present prescribed(), which may follow it: the
+    /// step is solved again until it returns true.
+    /// @throws SolverError if it does not settle
+    virtual bool settlePrescribed(const Eigen::VectorXd& /*displacement*/) { return true; }
+
     /// Matrix E, nUnknowns() square, of unknowns that depend on others: all of them are
     ///   u = E q + prescribed(t),
     /// q being the free ones. Its rows are those of the identity for free unknowns and

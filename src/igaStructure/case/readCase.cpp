@@ -104,6 +104,7 @@ class CaseReader {
             readOptions(section, time);
         }
         context_.isExplicit = time.scheme == TimeOptions::centralDifferences;
+        context_.isDynamic = time.scheme != TimeOptions::quasiStatic;
         context_.isCoupled = root_.child("coupling").node.IsDefined();
         common.newton.lineSearch = !kinematics.bendsThinly;
         common.newton.reuseContraction = time.scheme == TimeOptions::quasiStatic ? 0 : 0.1;

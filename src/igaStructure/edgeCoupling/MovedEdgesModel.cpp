@@ -25,7 +25,7 @@ VectorXd unknownsOfControlPoints(const StructuralModel& model) {
 MovedEdgesModel::MovedEdgesModel(StructuralModel& model, const mapper::EdgeQuadrature& edge,
                                  geometry::Points controlPoints)
     : model_(model), edge_(edge), controlPoints_(std::move(controlPoints)), fixed_(model.fixed()) {
-    if (model.extension()) {
+    if (model.hasDependents()) {
         throw InputError("model.edgeMethod: egm does not go with edges that another structure "
                          "moves (coupling.side: dirichlet); choose another method");
     }

@@ -9,6 +9,7 @@ namespace tokay::structure {
 struct CaseContext {
     std::string directory; ///< of the case file
     bool isExplicit = false;
+    bool isDynamic = false;
     bool isCoupled = false;
 };
 

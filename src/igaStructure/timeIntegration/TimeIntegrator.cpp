@@ -114,11 +114,13 @@ const VectorXd& TimeIntegrator::solve(const VectorXd& interfaceForce) {
             fmt::format("a force on the structure is not finite at time {:.6g} s", time_));
     }
     residuals_.clear();
-    if (model_.isLinear()) {
-        solveLinear();
-    } else {
-        solveNonlinear();
-    }
+    do {
+        if (model_.isLinear()) {
+            solveLinear();
+        } else {
+            solveNonlinear();
+        }
+    } while (!model_.settlePrescribed(displacement_));
     return displacement_;
 }
 

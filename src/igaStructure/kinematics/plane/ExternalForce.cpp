@@ -25,7 +25,7 @@ ExternalForce::ExternalForce(geometry::NurbsSurface surface, const PlaneMaterial
                              Loads loads)
     : surface_(std::move(surface)), material_(material),
       constant_(Eigen::VectorXd::Zero(2 * surface_.nControlPoints())) {
-    for (EdgeTraction& load : loads.tractions) {
+    for (SideTraction& load : loads.tractions) {
         if (dependsOnTime(load.traction)) {
             varying_.tractions.push_back(std::move(load));
         } else {
@@ -43,7 +43,7 @@ ExternalForce::ExternalForce(geometry::NurbsSurface surface, const PlaneMaterial
 
 const Eigen::VectorXd& ExternalForce::at(double time) {
     force_ = constant_;
-    for (const EdgeTraction& load : varying_.tractions) {
+    for (const SideTraction& load : varying_.tractions) {
         add(load, time, force_);
     }
     for (const Gravity& load : varying_.gravities) {
@@ -52,7 +52,7 @@ const Eigen::VectorXd& ExternalForce::at(double time) {
     return force_;
 }
 
-void ExternalForce::add(const EdgeTraction& load, double time, Eigen::VectorXd& force) const {
+void ExternalForce::add(const SideTraction& load, double time, Eigen::VectorXd& force) const {
     const geometry::BoundaryCurve boundary = surface_.boundaryCurve(load.edge);
     const std::vector<double>& breakpoints = boundary.curve.knotVector().breakpoints();
     const geometry::QuadratureRule& rule =

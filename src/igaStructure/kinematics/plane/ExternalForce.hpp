@@ -19,7 +19,7 @@ class ExternalForce {
     const Eigen::VectorXd& at(double time);
 
   private:
-    void add(const EdgeTraction& load, double time, Eigen::VectorXd& force) const;
+    void add(const SideTraction& load, double time, Eigen::VectorXd& force) const;
     void add(const Gravity& load, double time, Eigen::VectorXd& force) const;
 
     geometry::NurbsSurface surface_;

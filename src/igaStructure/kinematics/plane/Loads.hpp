@@ -10,7 +10,7 @@
 namespace tokay::structure {
 
 /// Force per reference area on an edge [Pa]; keeps its direction.
-struct EdgeTraction {
+struct SideTraction {
     geometry::Edge edge;
     std::array<Formula, 2> traction;
 };
@@ -21,7 +21,7 @@ struct Gravity {
 };
 
 struct Loads {
-    std::vector<EdgeTraction> tractions;
+    std::vector<SideTraction> tractions;
     std::vector<Gravity> gravities;
 };
 

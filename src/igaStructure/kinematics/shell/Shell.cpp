@@ -75,6 +75,7 @@ Shell::Shell(ShellDescription description)
     buildPatches();
     sweep_ = std::make_unique<ElementRows>(patches_);
     constraints_ = shellConstraints(description_, patches_, nodes_.count());
+    buildExtension();
     buildPattern();
     deadLoads_ = std::make_unique<DeadLoads>(description_.loads, description_.model, patches_,
                                              *sweep_, nUnknowns());
@@ -112,6 +113,21 @@ void Shell::buildPatches() {
                                                         material.density * thickness,
                                                         description_.cutRule));
     }
+}
+
+void Shell::buildExtension() {
+    if (constraints_.trimmedSupports.empty()) {
+        return;
+    }
+    extension_ = std::make_unique<DirichletExtension>(
+        description_, patches_, constraints_.trimmedSupports, constraints_.fixed);
+    for (const int unknown : extension_->dependents()) {
+        constraints_.fixed[unknown] = true;
+    }
+    for (const TracePoint& point : extension_->trace()) {
+        extension_->own(point, constraints_.owners);
+    }
+    lastIterate_ = VectorXd::Zero(nUnknowns());
 }
 
 void Shell::buildPattern() {
@@ -386,6 +402,37 @@ double Shell::strainEnergy(const VectorXd& displacement) const {
     double energy = 0;
     evaluate({displacement}, energy);
     return energy;
+}
+
+VectorXd Shell::prescribed(double time) const {
+    VectorXd values = constraints_.trace.isEmpty() ? VectorXd(VectorXd::Zero(nUnknowns()))
+                                                   : constraints_.trace.at(time);
+    if (extension_) {
+        values += extension_->values(time, extension_->isClosed() ? values : lastIterate_);
+    }
+    return values;
+}
+
+bool Shell::settlePrescribed(const VectorXd& displacement) {
+    if (!extension_ || extension_->isClosed()) {
+        return true;
+    }
+    const double change = (displacement - lastIterate_).norm();
+    const double size = lastIterate_.norm();
+    lastIterate_ = displacement;
+    ++nIterates_;
+    if (change <= description_.egm.tolerance * size || change == 0) {
+        nIterates_ = 0;
+        return true;
+    }
+    if (nIterates_ >= description_.egm.maxIterations) {
+        nIterates_ = 0;
+        throw SolverError(fmt::format("the extended gradient method did not converge in {} "
+                                      "iterations: its last one changed the displacement by {:.2g} "
+                                      "of itself; take egm.form closed, or other elements",
+                                      description_.egm.maxIterations, change / size));
+    }
+    return false;
 }
 
 const VectorXd& Shell::externalForce(double time) {

@@ -4,6 +4,7 @@
 #include "igaStructure/assembly/NodePattern.hpp"
 #include "igaStructure/assembly/StructuralModel.hpp"
 #include "igaStructure/kinematics/shell/edges/ShellConstraints.hpp"
+#include "igaStructure/kinematics/shell/egm/DirichletExtension.hpp"
 #include "igaStructure/kinematics/shell/element/ElementRows.hpp"
 #include "igaStructure/kinematics/shell/element/ShellDescription.hpp"
 #include "igaStructure/kinematics/shell/element/ShellNodes.hpp"
@@ -56,8 +57,15 @@ class Shell : public StructuralModel {
                                     SparseMatrix& tangent) const override;
     bool hasSymmetricTangent() const override { return hasSymmetricTangent_; }
     const std::vector<bool>& fixed() const override { return constraints_.fixed; }
-    bool hasPrescribedMotion() const override { return !constraints_.trace.isEmpty(); }
-    Eigen::VectorXd prescribed(double time) const override { return constraints_.trace.at(time); }
+    bool hasPrescribedMotion() const override {
+        return !constraints_.trace.isEmpty() || (extension_ && extension_->hasData());
+    }
+    Eigen::VectorXd prescribed(double time) const override;
+    const SparseMatrix* extension() const override {
+        return extension_ && extension_->isClosed() ? &extension_->matrix() : nullptr;
+    }
+    bool hasDependents() const override { return extension_ != nullptr; }
+    bool settlePrescribed(const Eigen::VectorXd& displacement) override;
     SupportShift supportShift(double time) const override;
     std::vector<std::string> supportNames() const override;
     std::vector<SupportLoad> supportLoads(const Eigen::VectorXd& displacement,
@@ -72,6 +80,8 @@ class Shell : public StructuralModel {
     const ShellNodes& nodes() const { return nodes_; }
     const ShellPatches& patches() const { return patches_; }
     const ShellConstraints& constraints() const { return constraints_; }
+    /// Of supports on trimming curves by EdgeMethod::egm; none: there are none.
+    const DirichletExtension* dirichletExtension() const { return extension_.get(); }
 
     /// Sets the number of threads of assembly; by default as many as are available and pay. The
     /// result is the same for any number.
@@ -95,6 +105,7 @@ class Shell : public StructuralModel {
     struct Evaluation;
     struct PointAnswer;
     void buildPatches();
+    void buildExtension();
     void buildPattern();
     PointAnswer linearAnswer(const ShellElement& element,
                              const SurfaceDerivatives& displacement) const;
@@ -113,6 +124,9 @@ class Shell : public StructuralModel {
     ShellPatches patches_;
     std::unique_ptr<ElementRows> sweep_;
     ShellConstraints constraints_;
+    std::unique_ptr<DirichletExtension> extension_;
+    Eigen::VectorXd lastIterate_; ///< that prescribed motion follows in the iterated form
+    int nIterates_ = 0;
     std::unique_ptr<NodePattern> pattern_;
     std::unique_ptr<DeadLoads> deadLoads_;
     std::unique_ptr<FollowerLoads> followerLoads_;

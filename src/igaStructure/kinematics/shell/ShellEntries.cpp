@@ -101,6 +101,34 @@ void setEdgesAndSlivers(const ShellModel& entries, bool isExplicit, ShellDescrip
     }
 }
 
+// The strong form knows loads that are formulas, and no inertia.
+EgmOptions egmOptions(const ShellModel& model, const CaseContext& context) {
+    const EgmEntries entries = model.egm.value_or(EgmEntries());
+    if (model.egm && model.edgeMethod != EdgeMethod::egm) {
+        throw model.error("egm", "goes with edgeMethod egm");
+    }
+    EgmOptions options;
+    options.form = entries.form;
+    options.continuation = entries.continuation.value_or(
+        entries.form == EgmForm::closed ? EgmContinuation::jumps : EgmContinuation::gradient);
+    options.gamma = entries.gamma;
+    options.delta = entries.delta;
+    options.tolerance = entries.tolerance;
+    options.maxIterations = entries.maxIterations;
+    const bool isAtRest = model.strains == Strains::linear && !context.isDynamic;
+    if (entries.residual.value_or(EgmResidual::none) != EgmResidual::none &&
+        (!isAtRest || options.continuation == EgmContinuation::gradient)) {
+        throw entries.error("residual", "the strong form is that of linear strains at rest, and "
+                                        "goes with continuation jumps: take none, or strains "
+                                        "linear and scheme static");
+    }
+    options.residual = entries.residual;
+    if (!isAtRest || context.isCoupled) {
+        options.residual = entries.residual.value_or(EgmResidual::none);
+    }
+    return options;
+}
+
 /// Finds the edges, faces and points of the model that supports and loads name.
 class ModelParts {
   public:
@@ -222,6 +250,7 @@ ShellDescription make(const Entries& entries, bool bends, const CaseContext& con
     shell.bending = bends;
     shell.prestress = {model.prestress, model.prestress, 0};
     setEdgesAndSlivers(model, context.isExplicit, shell);
+    shell.egm = egmOptions(model, context);
     const ModelParts parts(shell.model);
     for (const ShellSupport& support : entries.supports) {
         addSupport(support, parts, shell);

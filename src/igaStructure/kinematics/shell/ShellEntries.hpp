@@ -85,9 +85,70 @@ inline const Choices<EdgeMethod>& edgeMethods() {
         {"nitsche", EdgeMethod::nitsche,
          "Nitsche's method with the least stabilisation (linear strains; with bending, "
          "StVenantKirchhoff)."},
-        {"lagrange", EdgeMethod::lagrange, "Lagrange multipliers along the edge."}};
+        {"lagrange", EdgeMethod::lagrange, "Lagrange multipliers along the edge."},
+        {"egm", EdgeMethod::egm,
+         "supports of trimming curves are strong, by the extended gradient method; joints and all "
+         "else by the default."}};
     return choices;
 }
+
+inline const Choices<EgmResidual>& egmResiduals() {
+    static const Choices<EgmResidual> choices = {
+        {"none", EgmResidual::none, "left out, whatever the physics."},
+        {"physical", EgmResidual::physical, "on what trimming leaves of elements."},
+        {"whole", EgmResidual::whole,
+         "on whole elements: formulas of loads go on where the body is trimmed away."}};
+    return choices;
+}
+
+inline const Choices<EgmForm>& egmForms() {
+    static const Choices<EgmForm> choices = {
+        {"closed", EgmForm::closed, "all unknowns are solved for at once."},
+        {"iterated", EgmForm::iterated,
+         "control values next to the curve follow from the solution before, until it changes by "
+         "less than the tolerance."}};
+    return choices;
+}
+
+inline const Choices<EgmContinuation>& egmContinuations() {
+    static const Choices<EgmContinuation> choices = {
+        {"jumps", EgmContinuation::jumps, "small jumps of derivatives between elements."},
+        {"gradient", EgmContinuation::gradient,
+         "the derivative across the curve, continued from uncut elements by moving least "
+         "squares."}};
+    return choices;
+}
+
+/// Entries of `model.egm`.
+struct EgmEntries : Located {
+    EgmForm form = EgmForm::closed;
+    std::optional<EgmContinuation> continuation;
+    std::optional<EgmResidual> residual;
+    std::optional<double> gamma;
+    double delta = 1;
+    double tolerance = 1e-6;
+    int maxIterations = 100;
+
+    static const SchemaOf<EgmEntries>& schema() {
+        static const SchemaOf<EgmEntries> schema = {
+            {"form", &EgmEntries::form, egmForms(), "How control values and equilibrium are met."},
+            {"continuation", &EgmEntries::continuation, egmContinuations(),
+             "What makes control values next to a supported trimming curve go on from the others.",
+             otherwise("`jumps` with form closed, `gradient` with iterated")},
+            {"residual", &EgmEntries::residual, egmResiduals(),
+             "jumps: the strong form of equilibrium, with linear strains and without inertia, as "
+             "a part of what control values next to the curve minimise.",
+             otherwise("`whole` with linear strains, scheme static and no coupling, else `none`")},
+            {"gamma", &EgmEntries::gamma, "(0, inf)", "", "jumps: factor on them.",
+             otherwise("0.5 at degree 1, else 0.01")},
+            {"delta", &EgmEntries::delta, "(0, inf)", "", "Factor on the residual."},
+            {"tolerance", &EgmEntries::tolerance, "(0, 1)", "",
+             "iterated: relative change of the displacement at which the iteration ends."},
+            {"maxIterations", &EgmEntries::maxIterations, "[1, inf)", "",
+             "iterated: most solutions in a step, beyond which it fails."}};
+        return schema;
+    }
+};
 
 inline const Choices<SliverTreatment>& sliverTreatments() {
     static const Choices<SliverTreatment> choices = {
@@ -105,6 +166,7 @@ struct ShellModel : ModelEntries {
     std::vector<FaceMaterial> faceMaterial;
     std::optional<EdgeMethod> edgeMethod;
     std::optional<double> penalty;
+    std::optional<EgmEntries> egm;
     std::optional<SliverTreatment> sliverTreatment;
     double prestress = 0; ///< of a membrane
 
@@ -129,6 +191,7 @@ struct ShellModel : ModelEntries {
                      "that of an element, E t/((1 - nu^2) h) for displacements and E t^3/(12 (1 - "
                      "nu^2) h) for rotations. nitsche: factor of the stabilisation.",
                      otherwise("penalty: `1e3`, lagrange: `1e6`, nitsche: `1`")},
+                    {"egm", &ShellModel::egm, "Options of edgeMethod egm.", otherwise("`{}`")},
                     {"sliverTreatment", &ShellModel::sliverTreatment, sliverTreatments(),
                      "Treatment of cut elements of which trimming leaves less than a fifth.",
                      otherwise("`extension`; with scheme explicit, which excludes it, "

@@ -23,6 +23,7 @@ using namespace tokay::structure;
 using geometry::Points;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::ThrowsMessage;
 
 namespace {
 
@@ -134,6 +135,25 @@ TEST(ShellCase, shell_takes_whole_updates_if_the_case_does_not_say) {
     EXPECT_FALSE(readText(roofText()).newton.lineSearch);
     EXPECT_TRUE(readText(exampleText()).newton.lineSearch);
     EXPECT_TRUE(readText(roofText("time:", "newton: {lineSearch: yes}\ntime:")).newton.lineSearch);
+}
+
+TEST(ShellCase, the_extended_gradient_method_takes_the_strong_form_where_one_is_at_hand) {
+    const TemporaryDirectory directory;
+    const auto shellOf = [&](const std::string& scheme, const std::string& more) {
+        std::string text = roofText("thickness: 0.25", "thickness: 0.25" + more);
+        text.replace(text.find("scheme: static"), 14, "scheme: " + scheme);
+        return std::get<ShellDescription>(readCase(directory.write("case.yaml", text)).structure);
+    };
+    const auto usual = shellOf("static", ", edgeMethod: egm");
+    EXPECT_EQ(usual.weakEdgeMethod(), EdgeMethod::nitsche); // of joints
+    EXPECT_FALSE(usual.egm.residual.has_value());           // whole, as strains are linear
+    EXPECT_EQ(shellOf("generalisedAlpha", ", edgeMethod: egm").egm.residual, EgmResidual::none);
+    EXPECT_EQ(shellOf("static", ", edgeMethod: egm, egm: {form: iterated}").egm.continuation,
+              EgmContinuation::gradient);
+    EXPECT_THAT([&] { shellOf("static", ", egm: {gamma: 1}"); },
+                ThrowsMessage<InputError>(HasSubstr("goes with edgeMethod egm")));
+    EXPECT_THAT([&] { shellOf("generalisedAlpha", ", edgeMethod: egm, egm: {residual: whole}"); },
+                ThrowsMessage<InputError>(HasSubstr("strains linear and scheme static")));
 }
 
 TEST(ShellCase, explicit_schemes_take_soft_springs_and_leave_slivers_alone) {

@@ -78,14 +78,15 @@ MatrixXd GhostStabilisation::restRows() const {
     return MatrixXd::Zero(1, stiffness_.cols());
 }
 
-std::vector<std::unique_ptr<EdgeCoupling>> ghostStabilisations(const ShellPatch& patch,
-                                                               double membrane, double bending) {
+std::vector<std::unique_ptr<EdgeCoupling>>
+ghostStabilisations(const ShellPatch& patch, double membrane, double bending,
+                    const std::function<bool(int element)>& isTied) {
     constexpr double factor = 1;
     const CutFractions fractions(patch);
     std::vector<std::unique_ptr<EdgeCoupling>> couplings;
     for (const int element : patch.patch().elements(geometry::ElementState::cut)) {
         const int whole = fractions.standIn(element);
-        if (whole == element) {
+        if (whole == element || !isTied(element)) {
             continue;
         }
         const geometry::ParameterBox box = patch.patch().elementBox(element);

@@ -3,6 +3,7 @@
 
 #include "igaStructure/kinematics/shell/edges/EdgeCoupling.hpp"
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -30,10 +31,12 @@ class GhostStabilisation : public EdgeCoupling {
     Eigen::MatrixXd stiffness_;
 };
 
-/// Stabilisation terms of all slivers of a patch.
+/// Stabilisation terms of the slivers of a patch.
 /// @param membrane  E t / (1 - nu^2) [N/m]
 /// @param bending   E t^3 / 12 / (1 - nu^2) [N m]; 0: a membrane
-std::vector<std::unique_ptr<EdgeCoupling>> ghostStabilisations(const ShellPatch& patch,
-                                                               double membrane, double bending);
+/// @param isTied    whether an element counts
+std::vector<std::unique_ptr<EdgeCoupling>>
+ghostStabilisations(const ShellPatch& patch, double membrane, double bending,
+                    const std::function<bool(int element)>& isTied);
 
 } // namespace tokay::structure

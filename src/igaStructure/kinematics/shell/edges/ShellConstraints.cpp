@@ -16,12 +16,14 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 
 namespace tokay::structure {
 
 namespace {
 
 constexpr double sameDirection = 1e-10;
+constexpr double sameNormal = 1e-6; // sine of an angle to a plane of space
 
 // Control points of a side of a patch, and of the row next to it.
 struct Rows {
@@ -65,7 +67,7 @@ struct SideStiffness {
 class ConstraintsBuilder {
   public:
     ConstraintsBuilder(const ShellDescription& description, const ShellPatches& patches, int nNodes)
-        : description_(description), method_(description.chosenEdgeMethod()), patches_(patches) {
+        : description_(description), method_(description.weakEdgeMethod()), patches_(patches) {
         requirePossible();
         atRest_.assign(3 * nNodes, false);
         for (int node = 0; description.isPlane && node < nNodes; ++node) {
@@ -195,6 +197,12 @@ class ConstraintsBuilder {
         const std::vector<EdgePoint> points = edgePoints(patch, curveOf(trim));
         const auto side = rimOf(curveOf(trim), patch.surface());
         const bool exact = side && !support.weak;
+        const bool trims = trim.curve < nTrimmingCurves(patch.patch());
+        if (description_.chosenEdgeMethod() == EdgeMethod::egm && !exact && !support.weak &&
+            trims) {
+            holdByExtension(support, trim, points);
+            return;
+        }
         if (exact) {
             for (int c = 0; c < 3; ++c) {
                 if (support.fixed[c]) {
@@ -213,7 +221,6 @@ class ConstraintsBuilder {
         if (exact && support.motion) {
             follow(patch, points, support.fixed, support.motion, rowsAt(patch, *side), clampedAxis);
         }
-        const bool trims = trim.curve < nTrimmingCurves(patch.patch());
         const std::size_t first = constraints_.couplings.size();
         holdWeakly(points, exact ? std::array<bool, 3>{} : support.fixed, clamped,
                    {trim.face, trim.face}, trims);
@@ -226,6 +233,68 @@ class ConstraintsBuilder {
     void move(std::size_t first, const SupportMotion& motion) {
         for (std::size_t k = first; motion && k < constraints_.couplings.size(); ++k) {
             constraints_.moved.push_back({k, motion});
+        }
+    }
+
+    // The two conditions at an edge of a plate go with its deflection; without it the
+    // rotation is held as usual.
+    void holdByExtension(const EdgeSupport& support, const geometry::BrepTrim& trim,
+                         const std::vector<EdgePoint>& points) {
+        const bool deflection = holdsDeflection(support.fixed, points);
+        if (description_.bending) {
+            requireTwoConditions(support, trim, deflection, points);
+        }
+        constraints_.trimmedSupports.push_back({trim, support.fixed,
+                                                support.clamped && description_.bending,
+                                                support.motion, nSupports_, points});
+        for (const EdgePoint& point : points) {
+            if (support.fixed[0] && support.fixed[1] &&
+                (support.fixed[2] || description_.isPlane)) {
+                extended_.emplace(trim.face, point.side.element);
+            }
+        }
+        if (support.clamped && description_.bending && !deflection) {
+            holdWeakly(points, {}, true, {trim.face, trim.face}, true);
+        }
+    }
+
+    static bool holdsDeflection(const std::array<bool, 3>& fixed,
+                                const std::vector<EdgePoint>& points) {
+        return std::all_of(points.begin(), points.end(), [&](const EdgePoint& point) {
+            const Eigen::Vector3d normal = point.side.normal();
+            for (int c = 0; c < 3; ++c) {
+                if (!fixed[c] && std::abs(normal[c]) > sameNormal) {
+                    return false;
+                }
+            }
+            return true;
+        });
+    }
+
+    void requireTwoConditions(const EdgeSupport& support, const geometry::BrepTrim& trim,
+                              bool deflection, const std::vector<EdgePoint>& points) const {
+        bool touches = false;
+        for (const EdgePoint& point : points) {
+            for (int c = 0; c < 3; ++c) {
+                touches =
+                    touches || (support.fixed[c] && std::abs(point.side.normal()[c]) > sameNormal);
+            }
+        }
+        if (touches && !deflection) {
+            throw InputError("supports: edgeMethod egm holds a part of the deflection of a curved "
+                             "shell's trimmed edge only together with all of it: fix x, y and z, "
+                             "or take another edgeMethod");
+        }
+        if (deflection && !support.clamped && description_.strains == Strains::nonlinear) {
+            throw InputError("supports: edgeMethod egm cannot leave a shell with nonlinear "
+                             "strains free to turn about a trimmed edge: fix rotation too, or "
+                             "take another edgeMethod");
+        }
+        for (const ShellLoads::EdgeMoment& load : description_.loads.edgeMoments) {
+            if (deflection && load.trim.face == trim.face && load.trim.curve == trim.curve) {
+                throw InputError("loads: lineMoment acts on an edge that edgeMethod egm supports: "
+                                 "take another edgeMethod");
+            }
         }
     }
 
@@ -330,7 +399,10 @@ class ConstraintsBuilder {
         for (std::size_t face = 0; face < patches_.size(); ++face) {
             if (description_.sliverTreatment == SliverTreatment::extension) {
                 const SideStiffness own = stiffness(static_cast<int>(face));
-                append(ghostStabilisations(*patches_[face], own.membrane, own.bending));
+                const auto isTied = [&](int element) {
+                    return extended_.count({static_cast<int>(face), element}) == 0;
+                };
+                append(ghostStabilisations(*patches_[face], own.membrane, own.bending, isTied));
             }
         }
     }
@@ -356,6 +428,8 @@ class ConstraintsBuilder {
     const ShellDescription& description_;
     const EdgeMethod method_;
     const ShellPatches& patches_;
+    /// Elements (face, number) none of whose functions equilibrium decides.
+    std::set<std::pair<int, int>> extended_;
     ShellConstraints constraints_;
     int nSupports_ = 0;
     std::vector<bool> atRest_, moving_; ///< unknowns that supports hold
@@ -368,6 +442,28 @@ ShellConstraints shellConstraints(const ShellDescription& description, const She
                                   int nNodes) {
     return ConstraintsBuilder(description, patches, nNodes).build();
 }
+
+namespace {
+
+// What the support of an edge holds, if it belongs to a part of the shell.
+void holdEdge(const TrimmedSupport& support, const std::vector<int>& nodes, RigidMotions& motions) {
+    for (const EdgePoint& point : support.points) {
+        const PatchLocation& at = point.side;
+        if (!std::binary_search(nodes.begin(), nodes.end(), at.nodes.front())) {
+            continue;
+        }
+        for (int c = 0; c < 3; ++c) {
+            if (support.fixed[c]) {
+                motions.holdPoint(at.position, Eigen::Vector3d::Unit(c));
+            }
+        }
+        if (support.clamped) {
+            motions.holdRotation((at.baseVectors * at.tangent).normalized());
+        }
+    }
+}
+
+} // namespace
 
 std::vector<std::string> freeRigidMotions(const geometry::Points& positions,
                                           const ShellConstraints& constraints,
@@ -391,6 +487,9 @@ std::vector<std::string> freeRigidMotions(const geometry::Points& positions,
                 motions.at(positions.row(coupling->nodes()[k]));
         }
         motions.hold(rows * own / std::sqrt(1e-300 + rows.squaredNorm()));
+    }
+    for (const TrimmedSupport& support : constraints.trimmedSupports) {
+        holdEdge(support, nodes, motions);
     }
     return motions.freeOnes();
 }

@@ -13,11 +13,22 @@ namespace tokay::structure {
 
 using ShellPatches = std::vector<std::unique_ptr<ShellPatch>>;
 
+/// A support of a trimming curve that DirichletExtension imposes.
+struct TrimmedSupport {
+    geometry::BrepTrim trim;
+    std::array<bool, 3> fixed;
+    bool clamped;
+    SupportMotion motion;
+    int number;                    ///< of the support, as in SupportOwners
+    std::vector<EdgePoint> points; ///< of its side of the edge
+};
+
 /// Constraints of a shell: supports and joints between patches.
 struct ShellConstraints {
     std::vector<bool> fixed;     ///< unknowns that are zero: exact supports, and nodes without body
     std::vector<bool> supported; ///< those fixed by supports
     SupportTrace trace;          ///< of exact supports that move
+    std::vector<TrimmedSupport> trimmedSupports; ///< of EdgeMethod::egm
     std::vector<std::unique_ptr<EdgeCoupling>> couplings;
     /// Couplings, by their numbers, that hold what a support moves.
     struct Moved {

@@ -73,8 +73,41 @@ struct ShellLoads {
 /// How patches are joined along edges, and edges held weakly.
 enum class EdgeMethod {
     penalty,
-    nitsche, ///< linear strains; St. Venant-Kirchhoff material if there is bending
-    lagrange ///< multipliers with a small compliance
+    nitsche,  ///< linear strains; St. Venant-Kirchhoff material if there is bending
+    lagrange, ///< multipliers with a small compliance
+    egm ///< extended gradient method: supports of trimming curves are strong, all else as usual
+};
+
+/// The strong form in the extended gradient method's functional.
+enum class EgmResidual {
+    none,     ///< whatever the physics
+    physical, ///< on what trimming leaves of elements
+    whole     ///< on whole elements, where loads are formulas that go on
+};
+
+/// What makes control values next to a supported trimming curve go on from the others.
+enum class EgmContinuation {
+    jumps,   ///< gamma sum_F h^2p int_F [d^p u]^2 over faces between elements
+    gradient ///< h int (d_n u - g)^2 over cut elements, g by moving least squares
+};
+
+/// Whether that is solved for at once or by iteration.
+enum class EgmForm { closed, iterated };
+
+/// The extended gradient method: how control values next to a supported trimming curve
+/// follow from the others. They minimise
+///   int_Gamma (u - uBar)^2 + continuation + delta / h int (r / s)^2,
+/// r being the residual of the strong form and s the stiffness that makes it a displacement.
+struct EgmOptions {
+    EgmContinuation continuation = EgmContinuation::jumps;
+    EgmForm form = EgmForm::closed;
+    /// With jumps. Not given: whole for linear strains, else none.
+    std::optional<EgmResidual> residual = std::nullopt;
+    /// Not given: 0.5 at degree 1, else 0.01.
+    std::optional<double> gamma = std::nullopt;
+    double delta = 1;
+    double tolerance = 1e-6; ///< iterated: relative change of the displacement
+    int maxIterations = 100;
 };
 
 /// Treatment of elements of which trimming leaves a sliver.
@@ -106,18 +139,24 @@ struct ShellDescription {
     /// (benchmarks/shells), nitsche for linear strains, lagrange for nonlinear ones
     /// with bending, penalty for membranes in nonlinear strains.
     std::optional<EdgeMethod> edgeMethod = std::nullopt;
-    EdgeMethod chosenEdgeMethod() const {
+    EdgeMethod chosenEdgeMethod() const { return edgeMethod.value_or(usualEdgeMethod()); }
+    /// The method where egm does not apply: joints, points, curves within a patch.
+    EdgeMethod weakEdgeMethod() const {
+        return chosenEdgeMethod() == EdgeMethod::egm ? usualEdgeMethod() : chosenEdgeMethod();
+    }
+    EdgeMethod usualEdgeMethod() const {
         const bool canNitsche = strains == Strains::linear &&
                                 (!bending || material.law == MaterialLaw::stVenantKirchhoff);
         const EdgeMethod best = canNitsche ? EdgeMethod::nitsche
                                 : bending  ? EdgeMethod::lagrange
                                            : EdgeMethod::penalty;
-        return edgeMethod.value_or(penalty ? EdgeMethod::penalty : best);
+        return penalty ? EdgeMethod::penalty : best;
     }
     /// penalty, lagrange: stiffness of springs that hold weakly, over
     /// E t / ((1 - nu^2) h) and E t^3 / (12 (1 - nu^2) h), h being the size of an element;
     /// 1e3 and 1e6 if not given. nitsche: factor on the stabilisation, 1 if not given.
     std::optional<double> penalty = std::nullopt;
+    EgmOptions egm = {};
     SliverTreatment sliverTreatment = SliverTreatment::extension;
     /// A membrane in the plane z = 0 that stays there: a plane solid.
     bool isPlane = false;
