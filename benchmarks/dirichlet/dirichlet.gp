@@ -1,0 +1,29 @@
+set terminal pngcairo size 1200,500 font ",10"
+set datafile separator ","
+set grid
+set logscale xy
+set format y "%g"
+set key outside right font ",9"
+methods = "'egm whole' 'egm none' nitsche lagrange penalty"
+
+set output "orders.png"
+set multiplot layout 1,2
+set xlabel "elements a side"
+set ylabel "error in L2"
+do for [degree=2:3] {
+    set title sprintf("data zero, degree %d", degree)
+    plot for [m in methods] sprintf("< grep '^zero,%s,%d,' orders.csv", m, degree) \
+        using 4:5 with linespoints title m
+}
+unset multiplot
+
+set output "cuts.png"
+set multiplot layout 1,2
+set xlabel "cut [element]"
+set format x "%g"
+set title "degree 2"
+set ylabel "condition number"
+plot for [m in methods] sprintf("< grep '^%s,2,' cuts.csv", m) using 3:5 with linespoints title m
+set ylabel "stable explicit step over that of whole elements"
+plot for [m in methods] sprintf("< grep '^%s,2,' cuts.csv", m) using 3:6 with linespoints title m
+unset multiplot
