@@ -4,6 +4,7 @@
 #include "igaStructure/case/makeBody.hpp"
 #include "igaStructure/output/ResultTable.hpp"
 #include "igaStructure/run/ResultSeries.hpp"
+#include "igaStructure/run/ResultsLock.hpp"
 #include "igaStructure/run/describeModel.hpp"
 #include "igaStructure/timeIntegration/naturalModes.hpp"
 
@@ -40,6 +41,7 @@ void writeShapes(const Case& structureCase, const Body& body, const NaturalModes
 void runModes(const Case& structureCase, int count, const Report& report) {
     const std::unique_ptr<Body> body = makeBody(structureCase);
     report(describeModel(structureCase, *body));
+    const ResultsLock lock(structureCase.output.directory, structureCase.name + "Modes", report);
     const NaturalModes modes = naturalModes(body->model(), count);
     ResultTable table(
         fmt::format("{}/postProcessing/{}/modes.dat", structureCase.directory, structureCase.name),

@@ -3,6 +3,7 @@
 #include "igaStructure/exampleCase.hpp"
 #include "igaStructure/kinematics/beam/exampleBeam.hpp"
 #include "igaStructure/kinematics/solid/exampleSolid.hpp"
+#include "igaStructure/run/ResultsLock.hpp"
 #include "igaStructure/run/runModes.hpp"
 #include "igaStructure/tableRows.hpp"
 #include "igaStructure/timeIntegration/naturalModes.hpp"
@@ -88,4 +89,12 @@ TEST(RunModes, printsAndTabulatesFrequenciesAndWritesShapes) {
     ASSERT_EQ(rows.size(), 3u);
     EXPECT_NEAR(rows[1][1], 2 * M_PI * rows[1][2], 1e-9 * rows[1][1]);
     EXPECT_THAT(directory.read("results/caseModes.pvd"), HasSubstr("timestep=\"3\""));
+}
+
+TEST(RunModes, a_second_one_that_would_write_the_same_results_is_refused) {
+    const TemporaryDirectory directory;
+    const Report silent = [](const std::string&) {};
+    const ResultsLock first(directory.file("results"), "caseModes", silent);
+    EXPECT_THROW(runModes(readCase(directory.write("case.yaml", exampleText())), 1, silent),
+                 InputError);
 }

@@ -183,9 +183,9 @@ struct ShellModel : ModelEntries {
                     {"edgeMethod", &ShellModel::edgeMethod, edgeMethods(),
                      "How patches are joined, and edges supported, where the basis cannot do it "
                      "exactly.",
-                     otherwise("`penalty` if the entry penalty is given, with scheme explicit, and "
-                               "for membranes with nonlinear strains; else `nitsche` with linear "
-                               "strains where it is possible, else `lagrange`")},
+                     otherwise("`penalty` if the entry penalty is given, and with scheme explicit; "
+                               "else `nitsche` with linear strains where it is possible, else "
+                               "`lagrange`")},
                     {"penalty", &ShellModel::penalty, "(0, inf)", "",
                      "penalty, lagrange: stiffness of the springs at joints and weak supports over "
                      "that of an element, E t/((1 - nu^2) h) for displacements and E t^3/(12 (1 - "

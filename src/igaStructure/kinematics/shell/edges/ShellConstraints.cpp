@@ -375,6 +375,7 @@ class ConstraintsBuilder {
             append(multiplierCouplings(
                 points, components, rotation,
                 {factor(EdgeMethod::lagrange), softer.membrane, softer.bending}));
+            addTraceSprings(points, components, softer);
         }
     }
 
@@ -392,6 +393,24 @@ class ConstraintsBuilder {
                 constraints_.couplings.push_back(std::make_unique<RotationPenalty>(
                     point.side, other, point.weight * stiffness.ofRotation(point)));
             }
+        }
+    }
+
+    // What multipliers do not see of a trace: they hold its moments with fewer functions than
+    // it has. Springs as stiff as some elements hold that too, and ask for nothing that the
+    // solution does not fulfil; across the surface they scale with its bending, so a thin
+    // shell does not lock.
+    void addTraceSprings(const std::vector<EdgePoint>& points,
+                         const std::array<bool, 3>& components, const SideStiffness& side) {
+        if (components == std::array<bool, 3>{}) {
+            return;
+        }
+        constexpr double elements = 10; // benchmarks/shells: from 100 on a coarse mesh locks
+        const PenaltyStiffness springs = {elements, side.membrane, side.bending};
+        for (const EdgePoint& point : points) {
+            constraints_.couplings.push_back(std::make_unique<DisplacementPenalty>(
+                point.side, point.other ? &*point.other : nullptr, components,
+                point.weight * springs.ofDisplacement(point)));
         }
     }
 

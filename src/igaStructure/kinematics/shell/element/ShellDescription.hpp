@@ -136,8 +136,7 @@ struct ShellDescription {
     std::vector<PointSupport> pointSupports = {};
     ShellLoads loads = {};
     /// If not given: penalty if its springs are given below. Else, as measured best
-    /// (benchmarks/shells), nitsche for linear strains, lagrange for nonlinear ones
-    /// with bending, penalty for membranes in nonlinear strains.
+    /// (benchmarks/shells), nitsche for linear strains, lagrange for nonlinear ones.
     std::optional<EdgeMethod> edgeMethod = std::nullopt;
     EdgeMethod chosenEdgeMethod() const { return edgeMethod.value_or(usualEdgeMethod()); }
     /// The method where egm does not apply: joints, points, curves within a patch.
@@ -147,9 +146,7 @@ struct ShellDescription {
     EdgeMethod usualEdgeMethod() const {
         const bool canNitsche = strains == Strains::linear &&
                                 (!bending || material.law == MaterialLaw::stVenantKirchhoff);
-        const EdgeMethod best = canNitsche ? EdgeMethod::nitsche
-                                : bending  ? EdgeMethod::lagrange
-                                           : EdgeMethod::penalty;
+        const EdgeMethod best = canNitsche ? EdgeMethod::nitsche : EdgeMethod::lagrange;
         return penalty ? EdgeMethod::penalty : best;
     }
     /// penalty, lagrange: stiffness of springs that hold weakly, over
