@@ -105,7 +105,7 @@ void writeOrders(const std::string& file, const std::vector<int>& meshes) {
             }
             for (int degree = 1; degree <= 4; ++degree) {
                 if (method.form == EgmForm::iterated && degree > 2) {
-                    continue; // it diverges
+                    continue; // published for degrees 1 and 2
                 }
                 for (const int n : meshes) {
                     table.addRow(fmt::format("{},{},{},{},", isZeroOnBoundary ? "zero" : "wave",

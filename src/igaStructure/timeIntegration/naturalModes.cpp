@@ -124,10 +124,13 @@ class ModeFinder {
         Spectra::SymGEigsShiftSolver<ShiftedInverse, Spectra::SparseSymMatProd<double>,
                                      Spectra::GEigsMode::ShiftInvert>
             solver(inverse_, massProduct_, count, nVectors, shift_);
-        // A start that lies in the space of the modes: fixed unknowns are zero.
+        // A start that lies in the space of the modes: fixed unknowns are zero. Another one in
+        // each search: of modes that share a frequency a start has one combination, and once
+        // that is known, none of the others.
+        const double wave = 1.7 + 0.618 * inverse_.nKnown();
         VectorXd start(mass_.rows());
         for (Eigen::Index k = 0; k < start.size(); ++k) {
-            start[k] = std::sin(1.0 + 1.7 * static_cast<double>(k)); // has a part of every mode
+            start[k] = std::sin(1.0 + wave * static_cast<double>(k)); // has a part of every mode
         }
         start = inverse_.solve(mass_ * start);
         solver.init(start.data());
