@@ -38,7 +38,7 @@ void writeRaw(int fileDescriptor, const Bytes& bytes) {
               static_cast<ssize_t>(bytes.size()));
 }
 
-TEST(Channel, carriesEveryTypeOfMessageInOrder) {
+TEST(Channel, carries_every_type_of_message_in_order) {
     auto [fluid, structure] = connectedPair();
     for (const Message& message : exampleMessages()) {
         if (!std::holds_alternative<Failure>(message)) {
@@ -52,7 +52,7 @@ TEST(Channel, carriesEveryTypeOfMessageInOrder) {
     }
 }
 
-TEST(Channel, carriesMessagesLargerThanAnySocketBufferBothWays) {
+TEST(Channel, carries_messages_larger_than_any_socket_buffer_both_ways) {
     auto [fluid, structure] = connectedPair();
     fluid.trust("the structure");
     structure.trust("the fluid");
@@ -69,7 +69,7 @@ TEST(Channel, carriesMessagesLargerThanAnySocketBufferBothWays) {
     peer.join();
 }
 
-TEST(Channel, reportsThatThePeerEndedWithoutAWord) {
+TEST(Channel, reports_that_the_peer_ended_without_a_word) {
     auto [fluid, structure] = connectedPair();
     fluid.trust("the structure");
     { const Channel ended = std::move(structure); }
@@ -78,7 +78,7 @@ TEST(Channel, reportsThatThePeerEndedWithoutAWord) {
                       HasSubstr("the displacements, step 3")));
 }
 
-TEST(Channel, noticesAKilledPeerAtOnce) {
+TEST(Channel, notices_a_killed_peer_at_once) {
     const auto [own, childs] = socketPair();
     const pid_t child = fork();
     ASSERT_GE(child, 0);
@@ -94,7 +94,7 @@ TEST(Channel, noticesAKilledPeerAtOnce) {
     EXPECT_EQ(waitpid(child, &status, 0), child);
 }
 
-TEST(Channel, sendingToAnEndedPeerIsAnErrorAndNotASignal) {
+TEST(Channel, sending_to_an_ended_peer_is_an_error_and_not_a_signal) {
     std::signal(SIGPIPE, SIG_DFL);
     auto [fluid, structure] = connectedPair();
     { const Channel ended = std::move(structure); }
@@ -103,7 +103,7 @@ TEST(Channel, sendingToAnEndedPeerIsAnErrorAndNotASignal) {
     EXPECT_FALSE(fluid.trySend(Failure{"too late"}));
 }
 
-TEST(Channel, sendingToAPeerThatFailedTellsItsReason) {
+TEST(Channel, sending_to_a_peer_that_failed_tells_its_reason) {
     auto [fluid, structure] = connectedPair();
     fluid.trust("the structure");
     {
@@ -114,7 +114,7 @@ TEST(Channel, sendingToAPeerThatFailedTellsItsReason) {
                 HasSubstr("the structure ended: Newton diverged in step 5"));
 }
 
-TEST(Channel, receivedFailureCarriesThePeersTextAndAnOwnType) {
+TEST(Channel, received_failure_carries_the_peers_text_and_an_own_type) {
     auto [fluid, structure] = connectedPair();
     fluid.trust("the structure");
     structure.send(Failure{"Newton diverged in step 5"});
@@ -122,7 +122,7 @@ TEST(Channel, receivedFailureCarriesThePeersTextAndAnOwnType) {
                 HasSubstr("the structure ended: Newton diverged in step 5"));
 }
 
-TEST(Channel, namesAMessageThatWasNotExpected) {
+TEST(Channel, names_a_message_that_was_not_expected) {
     auto [fluid, structure] = connectedPair();
     structure.send(BeginStep{1, 0.1, 0.1});
     EXPECT_THAT(errorOf<PeerError>([&] { fluid.receive<Displacements>("the answer, step 1"); }),
@@ -132,7 +132,7 @@ TEST(Channel, namesAMessageThatWasNotExpected) {
                 AllOf(HasSubstr("goodbye"), HasSubstr("end time reached")));
 }
 
-TEST(Channel, reportsASilentPeerEachIntervalAndGoesOnWaiting) {
+TEST(Channel, reports_a_silent_peer_each_interval_and_goes_on_waiting) {
     auto [fluid, structure] = connectedPair();
     std::vector<std::string> reports;
     structure.reportSilence(0.05, [&](const std::string& line) { reports.push_back(line); });
@@ -147,7 +147,7 @@ TEST(Channel, reportsASilentPeerEachIntervalAndGoesOnWaiting) {
     EXPECT_EQ(reports.front(), "waiting for the fluid's forces since 0 s, step 12");
 }
 
-TEST(Channel, reportsAPeerThatStopsInTheMiddleOfAMessage) {
+TEST(Channel, reports_a_peer_that_stops_in_the_middle_of_a_message) {
     const auto [own, raw] = socketPair();
     Channel channel = Channel::fromFileDescriptor(own);
     int nReports = 0;
@@ -163,21 +163,21 @@ TEST(Channel, reportsAPeerThatStopsInTheMiddleOfAMessage) {
     EXPECT_EQ(nReports, 2);
 }
 
-TEST(Channel, anExceptionOfTheReportEndsTheWait) {
+TEST(Channel, an_exception_of_the_report_ends_the_wait) {
     auto [fluid, structure] = connectedPair();
     structure.reportSilence(0.02, [](const std::string&) { throw SolverError("interrupted"); });
     EXPECT_THROW(structure.receive("the fluid's forces"), SolverError);
     EXPECT_THROW(fluid.receive("the answer"), PeerError); // the channel is closed
 }
 
-TEST(Channel, telltaleOnTheWayOutGivesUpOnAPeerThatDoesNotRead) {
+TEST(Channel, telltale_on_the_way_out_gives_up_on_a_peer_that_does_not_read) {
     auto [fluid, structure] = connectedPair();
     const Stopwatch watch;
     EXPECT_FALSE(fluid.trySend(Forces{false, false, 0, std::vector<double>(1000000)}));
     EXPECT_LT(watch.seconds(), 5); // two seconds, on a busy machine
 }
 
-TEST(Channel, refusesGarbage) {
+TEST(Channel, refuses_garbage) {
     const auto [own, raw] = socketPair();
     Channel channel = Channel::fromFileDescriptor(own);
     writeRaw(raw, Bytes(64, 0x5a));
@@ -186,7 +186,7 @@ TEST(Channel, refusesGarbage) {
     close(raw);
 }
 
-TEST(Channel, mutilatedFramesEndInAnErrorAndNeverHang) {
+TEST(Channel, mutilated_frames_end_in_an_error_and_never_hang) {
     std::mt19937 random(5);
     const std::vector<Message> messages = exampleMessages();
     for (int i = 0; i < 1000; ++i) {
@@ -208,7 +208,7 @@ TEST(Channel, mutilatedFramesEndInAnErrorAndNeverHang) {
     }
 }
 
-TEST(Channel, refusesLargeMessagesBeforeTheHandshake) {
+TEST(Channel, refuses_large_messages_before_the_handshake) {
     auto [fluid, structure] = connectedPair();
     std::thread sender([&fluid = fluid] {
         fluid.trySend(Forces{false, false, 0, std::vector<double>(10000)});
@@ -219,7 +219,7 @@ TEST(Channel, refusesLargeMessagesBeforeTheHandshake) {
     sender.join();
 }
 
-TEST(Channel, anAnnouncedButMissingGigabyteIsNotAllocated) {
+TEST(Channel, an_announced_but_missing_gigabyte_is_not_allocated) {
     const auto [own, raw] = socketPair();
     Channel channel = Channel::fromFileDescriptor(own);
     channel.trust("the fluid");
@@ -235,14 +235,14 @@ TEST(Channel, anAnnouncedButMissingGigabyteIsNotAllocated) {
     EXPECT_LT(after.ru_maxrss - before.ru_maxrss, 64 * 1024); // [kB]; the first portion is 1 MB
 }
 
-TEST(Channel, isNotInheritedByProgramsStartedLater) {
+TEST(Channel, is_not_inherited_by_programs_started_later) {
     const auto [own, other] = socketPair();
     const Channel channel = Channel::fromFileDescriptor(own);
     EXPECT_TRUE(fcntl(own, F_GETFD) & FD_CLOEXEC);
     close(other);
 }
 
-TEST(Channel, refusesAFileDescriptorThatIsNoConnectedSocket) {
+TEST(Channel, refuses_a_file_descriptor_that_is_no_connected_socket) {
     int pipeEnds[2];
     ASSERT_EQ(pipe(pipeEnds), 0);
     EXPECT_THROW(Channel::fromFileDescriptor(pipeEnds[0]), InputError);
@@ -251,7 +251,7 @@ TEST(Channel, refusesAFileDescriptorThatIsNoConnectedSocket) {
     close(pipeEnds[1]);
 }
 
-TEST(Finite, findsTheFirstValueThatIsNot) {
+TEST(Finite, finds_the_first_value_that_is_not) {
     EXPECT_TRUE(allFinite({0, -1, 1e300}));
     EXPECT_FALSE(allFinite({0, std::nan("")}));
     EXPECT_EQ(firstNonFinite({0, 1, 1 / std::numeric_limits<double>::min() * 1e10, std::nan("")}),

@@ -64,7 +64,7 @@ M example() {
     throw std::logic_error("no example of this type");
 }
 
-TEST(Encoding, helloSurvivesTheRoundTrip) {
+TEST(Encoding, hello_survives_the_round_trip) {
     const Hello result = roundTrip(example<Hello>());
     EXPECT_EQ(result.protocol, protocolVersion);
     EXPECT_EQ(result.role, Role::structure);
@@ -74,7 +74,7 @@ TEST(Encoding, helloSurvivesTheRoundTrip) {
     EXPECT_EQ(roundTrip(example<Proof>()).digest, example<Proof>().digest);
 }
 
-TEST(Encoding, interfaceSurvivesTheRoundTrip) {
+TEST(Encoding, interface_survives_the_round_trip) {
     const Interface sent = exampleInterface();
     const Interface result = roundTrip(sent);
     EXPECT_EQ(result.dimension, sent.dimension);
@@ -90,7 +90,7 @@ TEST(Encoding, interfaceSurvivesTheRoundTrip) {
     EXPECT_EQ(result.retries, sent.retries);
 }
 
-TEST(Encoding, messagesOfAStepSurviveTheRoundTrip) {
+TEST(Encoding, messages_of_a_step_survive_the_round_trip) {
     const BeginStep begin = roundTrip(example<BeginStep>());
     EXPECT_EQ(begin.step, 12u);
     EXPECT_EQ(begin.time, 0.75);
@@ -108,13 +108,13 @@ TEST(Encoding, messagesOfAStepSurviveTheRoundTrip) {
     EXPECT_EQ(displacements.values, (std::vector<double>{0.1, 0.2}));
 }
 
-TEST(Encoding, textsSurviveTheRoundTrip) {
+TEST(Encoding, texts_survive_the_round_trip) {
     EXPECT_EQ(roundTrip(example<Accepted>()).report, example<Accepted>().report);
     EXPECT_EQ(roundTrip(example<Goodbye>()).reason, example<Goodbye>().reason);
     EXPECT_EQ(roundTrip(example<Failure>()).text, example<Failure>().text);
 }
 
-TEST(Encoding, isLittleEndianOnEveryMachine) {
+TEST(Encoding, is_little_endian_on_every_machine) {
     const Bytes expected = {'T',  'o',  'k',  'a',  3,  0, 0,    0,
                             3,    0,    0,    0,    20, 0, 0,    0,     // header
                             0x04, 0x03, 0x02, 0x01,                     // step
@@ -123,7 +123,7 @@ TEST(Encoding, isLittleEndianOnEveryMachine) {
     EXPECT_EQ(encodeFrame(BeginStep{0x01020304, 1, -2}), expected);
 }
 
-TEST(Encoding, everyTruncationOfEveryMessageIsRefused) {
+TEST(Encoding, every_truncation_of_every_message_is_refused) {
     for (const Message& message : exampleMessages()) {
         const Bytes frame = encodeFrame(message);
         for (std::size_t length = FrameHeader::size; length < frame.size(); ++length) {
@@ -135,7 +135,7 @@ TEST(Encoding, everyTruncationOfEveryMessageIsRefused) {
     }
 }
 
-TEST(Encoding, trailingBytesAreRefused) {
+TEST(Encoding, trailing_bytes_are_refused) {
     for (const Message& message : exampleMessages()) {
         Bytes frame = encodeFrame(message);
         frame.push_back(0);
@@ -152,7 +152,7 @@ void expectSameButForUnprintable(const Bytes& result, const Bytes& frame) {
     }
 }
 
-TEST(Encoding, whateverIsAcceptedAfterAFlippedBitEncodesToTheSameBytes) {
+TEST(Encoding, whatever_is_accepted_after_a_flipped_bit_encodes_to_the_same_bytes) {
     // So no two byte strings mean the same, and nothing is read half.
     int nRefused = 0;
     for (const Message& message : exampleMessages()) {
@@ -170,7 +170,7 @@ TEST(Encoding, whateverIsAcceptedAfterAFlippedBitEncodesToTheSameBytes) {
     EXPECT_GT(nRefused, 8 * 8 * 12); // at least every bit of every header but the types'
 }
 
-TEST(Encoding, randomBytesBehindAValidHeaderNeverDoHarm) {
+TEST(Encoding, random_bytes_behind_a_valid_header_never_do_harm) {
     std::mt19937 random(20240611);
     const long before = peakMemoryInKilobytes();
     for (int i = 0; i < 20000; ++i) {
@@ -194,14 +194,14 @@ TEST(Encoding, randomBytesBehindAValidHeaderNeverDoHarm) {
     EXPECT_LT(peakMemoryInKilobytes() - before, 64 * 1024);
 }
 
-TEST(Encoding, otherMagicIsRefusedAsAnotherProgram) {
+TEST(Encoding, other_magic_is_refused_as_another_program) {
     Bytes frame = encodeFrame(Goodbye{"end"});
     const std::string http = "GET / HTTP/1.1\r\n";
     std::copy(http.begin(), http.end(), frame.begin());
     EXPECT_NE(errorOf(frame).find("not a message of Tokay"), std::string::npos);
 }
 
-TEST(Encoding, otherProtocolVersionIsRefusedNamingBoth) {
+TEST(Encoding, other_protocol_version_is_refused_naming_both) {
     Bytes frame = encodeFrame(Goodbye{"end"});
     frame[4] = 7;
     const std::string error = errorOf(frame);
@@ -209,19 +209,19 @@ TEST(Encoding, otherProtocolVersionIsRefusedNamingBoth) {
     EXPECT_NE(error.find("version 3"), std::string::npos) << error;
 }
 
-TEST(Encoding, unknownTypeIsRefused) {
+TEST(Encoding, unknown_type_is_refused) {
     Bytes frame = encodeFrame(Goodbye{"end"});
     frame[8] = 99;
     EXPECT_NE(errorOf(frame).find("unknown type 99"), std::string::npos);
 }
 
-TEST(Encoding, oversizeLengthIsRefusedByTheHeaderAlone) {
+TEST(Encoding, oversize_length_is_refused_by_the_header_alone) {
     Bytes frame = encodeFrame(Goodbye{"end"});
     setLength(frame, largestPayload + 1);
     EXPECT_NE(errorOf(frame).find("more than the limit"), std::string::npos);
 }
 
-TEST(Encoding, interfaceWithArraysThatDoNotFitIsRefused) {
+TEST(Encoding, interface_with_arrays_that_do_not_fit_is_refused) {
     const auto errorAfter = [](auto change) {
         Interface interface = exampleInterface();
         change(interface);
@@ -241,7 +241,7 @@ TEST(Encoding, interfaceWithArraysThatDoNotFitIsRefused) {
               std::string::npos);
 }
 
-TEST(Encoding, interfaceWithNumbersThatAreNotFiniteIsRefused) {
+TEST(Encoding, interface_with_numbers_that_are_not_finite_is_refused) {
     const auto errorAfter = [](auto change) {
         Interface interface = exampleInterface();
         change(interface);
@@ -265,7 +265,7 @@ TEST(Encoding, interfaceWithNumbersThatAreNotFiniteIsRefused) {
               std::string::npos);
 }
 
-TEST(Encoding, noControlCharacterOfATextReachesTheTerminal) {
+TEST(Encoding, no_control_character_of_a_text_reaches_the_terminal) {
     EXPECT_EQ(roundTrip(Failure{"a\x1b[2J\x07\r\n\tb\x9b"}).text, "a?[2J??\n\tb?");
     EXPECT_EQ(roundTrip(Accepted{"\x1b]0;title"}).report, "?]0;title");
     EXPECT_EQ(roundTrip(Displacements{State::rejected, 1, {}, "\b\b"}).reason, "??");
@@ -274,7 +274,7 @@ TEST(Encoding, noControlCharacterOfATextReachesTheTerminal) {
               "Jörg, St. Venant–Kirchhoff");
 }
 
-TEST(Encoding, nameOfAProgramThatIsNoLineIsRefused) {
+TEST(Encoding, name_of_a_program_that_is_no_line_is_refused) {
     Hello hello = example<Hello>();
     hello.program = "igaStructure\nstep 1 time 0.1 s";
     EXPECT_NE(errorOf(encodeFrame(hello)).find("is no short line"), std::string::npos);

@@ -33,7 +33,7 @@ std::string refusal(const Displacements& answer, const Message& question = force
         [&] { requireUsable(answer, question, Agreement(exampleInterface())); });
 }
 
-TEST(Answer, thatTheQuestionAllowsIsUsed) {
+TEST(Answer, that_the_question_allows_is_used) {
     EXPECT_EQ(refusal(answerOf(State::iterate), begin), "");
     for (const State state : {State::iterate, State::converged, State::rejected}) {
         EXPECT_EQ(refusal(answerOf(state), forces), "");
@@ -43,14 +43,14 @@ TEST(Answer, thatTheQuestionAllowsIsUsed) {
     }
 }
 
-TEST(Answer, thatGoesOnWhereOnlyAConvergedStepEndsIsUsed) {
+TEST(Answer, that_goes_on_where_only_a_converged_step_ends_is_used) {
     const Message ifConverged = Forces{true, false, 0, {}, true};
     for (const State state : {State::iterate, State::converged, State::accepted, State::rejected}) {
         EXPECT_EQ(refusal(answerOf(state), ifConverged), "");
     }
 }
 
-TEST(Answer, ofAStateThatTheQuestionDoesNotAllowIsRefused) {
+TEST(Answer, of_a_state_that_the_question_does_not_allow_is_refused) {
     for (const State state : {State::converged, State::accepted, State::rejected}) {
         EXPECT_THAT(refusal(answerOf(state), begin), HasSubstr("to the begin of a time step"));
     }
@@ -60,7 +60,7 @@ TEST(Answer, ofAStateThatTheQuestionDoesNotAllowIsRefused) {
     }
 }
 
-TEST(Answer, thatSaysConvergedWithAResidualAboveTheToleranceIsRefused) {
+TEST(Answer, that_says_converged_with_a_residual_above_the_tolerance_is_refused) {
     Displacements answer = answerOf(State::converged);
     for (const double residual : {1e5, 1e-4}) {
         answer.residual = residual;
@@ -68,7 +68,7 @@ TEST(Answer, thatSaysConvergedWithAResidualAboveTheToleranceIsRefused) {
     }
 }
 
-TEST(Answer, withAResidualThatIsNoneIsRefused) {
+TEST(Answer, with_a_residual_that_is_none_is_refused) {
     for (const double residual : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
         for (const State state : {State::iterate, State::converged}) {
             Displacements answer = answerOf(state);
@@ -78,7 +78,7 @@ TEST(Answer, withAResidualThatIsNoneIsRefused) {
     }
 }
 
-TEST(Answer, withOtherThanOneFiniteDisplacementAComponentIsRefused) {
+TEST(Answer, with_other_than_one_finite_displacement_a_component_is_refused) {
     Displacements answer = answerOf(State::iterate);
     answer.values.pop_back();
     EXPECT_THAT(refusal(answer, begin),
@@ -88,7 +88,7 @@ TEST(Answer, withOtherThanOneFiniteDisplacementAComponentIsRefused) {
     EXPECT_THAT(refusal(answer, finalForces), HasSubstr("is not finite, component 3 of 12"));
 }
 
-TEST(Answer, thatIsAMillionTimesTheInterfaceAwayIsRefused) {
+TEST(Answer, that_is_a_million_times_the_interface_away_is_refused) {
     Displacements answer = answerOf(State::iterate);
     answer.values[5] = -0.9e6;
     EXPECT_EQ(refusal(answer), ""); // the interface is 1 m long
@@ -96,13 +96,13 @@ TEST(Answer, thatIsAMillionTimesTheInterfaceAwayIsRefused) {
     EXPECT_THAT(refusal(answer), HasSubstr("displacement is -1e+300 m at an interface of 1 m"));
 }
 
-TEST(Answer, withABalanceThatIsNotFiniteIsRefused) {
+TEST(Answer, with_a_balance_that_is_not_finite_is_refused) {
     Displacements answer = answerOf(State::accepted);
     answer.balance = InterfaceBalance{{1, 2, 3}, {4, 5, 6}, 7, std::nan("")};
     EXPECT_THAT(refusal(answer, finalForces), HasSubstr("swept volume is not finite"));
 }
 
-TEST(Printable, replacesWhatATerminalObeysByteForByte) {
+TEST(Printable, replaces_what_a_terminal_obeys_byte_for_byte) {
     EXPECT_EQ(printable("plain\ttext\n"), "plain\ttext\n");
     EXPECT_EQ(printable("ä – € 😀"), "ä – € 😀");
     EXPECT_EQ(printable("\x1b[31m"), "?[31m");

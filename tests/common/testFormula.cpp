@@ -7,19 +7,19 @@
 
 namespace tokay {
 
-TEST(Formula, takesPlaceAndTime) {
+TEST(Formula, takes_place_and_time) {
     const Formula formula("x + 10*y + 100*z - t", "");
     EXPECT_EQ(formula({1, 2, 3}, 4), 317);
     const Formula copy = formula;
     EXPECT_EQ(copy({1, 0, 0}, 0), 1);
 }
 
-TEST(Formula, namesItsVariablesWhenOneIsUnknown) {
+TEST(Formula, names_its_variables_when_one_is_unknown) {
     expectInputError([] { Formula("x + w", "case.yaml:3: "); },
                      {"case.yaml:3: formula 'x + w'", "variables are x, y, z [m] and t [s]"});
 }
 
-TEST(Formula, saysWhereItsValueIsNotFinite) {
+TEST(Formula, says_where_its_value_is_not_finite) {
     expectInputError(
         [] {
             Formula("1/z", "")({1, 2, 0}, 0);
@@ -27,7 +27,7 @@ TEST(Formula, saysWhereItsValueIsNotFinite) {
         {"'1/z' gives inf", "x = 1, y = 2, z = 0"});
 }
 
-TEST(Formula, isOneValueNotTheLastOfSeveralNorAnAssignment) {
+TEST(Formula, is_one_value_not_the_last_of_several_nor_an_assignment) {
     expectInputError([] { Formula("0,5*y", "case.yaml:3: "); },
                      {"case.yaml:3: formula '0,5*y' has 2 expressions", "0.5, not 0,5"});
     for (const char* assignment : {"x=3", "y*=2", "x==1 && y=2"}) {
@@ -39,7 +39,7 @@ TEST(Formula, isOneValueNotTheLastOfSeveralNorAnAssignment) {
     EXPECT_EQ(Formula("max(x,5)", "")({1, 2, 3}, 4), 5);
 }
 
-TEST(Formula, ofTwentyThousandCharactersIsRefusedInAShortMessage) {
+TEST(Formula, of_twenty_thousand_characters_is_refused_in_a_short_message) {
     std::string sum = "x";
     while (sum.size() < 20000) {
         sum += "+x";
@@ -55,7 +55,7 @@ TEST(Formula, ofTwentyThousandCharactersIsRefusedInAShortMessage) {
     }
 }
 
-TEST(Formula, dependsOnTimeIfItUsesIt) {
+TEST(Formula, depends_on_time_if_it_uses_it) {
     EXPECT_TRUE(Formula("sin(t)", "").dependsOnTime());
     EXPECT_FALSE(Formula("tan(x)", "").dependsOnTime());
 }

@@ -21,7 +21,7 @@ VtuFile exampleFile() {
 
 } // namespace
 
-TEST(VtuFile, keepsEveryArrayToTheLastBit) {
+TEST(VtuFile, keeps_every_array_to_the_last_bit) {
     const TemporaryDirectory directory;
     VtuFile file = exampleFile();
     file.addField(VtuFile::On::points, "pressure", 1, {1.0 / 3, 1e-300, -0.1});
@@ -36,7 +36,7 @@ TEST(VtuFile, keepsEveryArrayToTheLastBit) {
     EXPECT_EQ(arrays.at("Points"), (std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0}));
 }
 
-TEST(VtuFile, describesItselfInXmlWhateverTheNamesAre) {
+TEST(VtuFile, describes_itself_in_xml_whatever_the_names_are) {
     const TemporaryDirectory directory;
     VtuFile file = exampleFile();
     file.addField(VtuFile::On::points, "a<b & \"c\"", 1, {1, 2, 3});

@@ -24,7 +24,8 @@ VectorXd iterated(CouplingMethod& method, ElasticTube& tube, VectorXd x) {
     return x;
 }
 
-TEST_P(Acceptance, finalForcesAboveTheLimitDoNotEndTheStepWhichThenConvergesToTheSameSolution) {
+TEST_P(Acceptance,
+       final_forces_above_the_limit_do_not_end_the_step_which_then_converges_to_the_same_solution) {
     constexpr double tolerance = 1e-7;
     ElasticTube tube(10, 10, 0.01);
     CouplingOptions options;
@@ -53,7 +54,7 @@ TEST_P(Acceptance, finalForcesAboveTheLimitDoNotEndTheStepWhichThenConvergesToTh
 
 INSTANTIATE_TEST_SUITE_P(Methods, Acceptance, testing::Values("aitken", "iqnIls", "mvqn", "block"));
 
-TEST(ExplicitAcceptance, explicitCouplingAcceptsWhateverTheResidual) {
+TEST(ExplicitAcceptance, explicit_coupling_accepts_whatever_the_residual) {
     ElasticTube tube(10, 10, 0.01);
     CouplingOptions options;
     options.acceleration.type = "explicit";

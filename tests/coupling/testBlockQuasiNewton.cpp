@@ -91,20 +91,20 @@ struct SpringsInFluid {
     VectorXd x;
 };
 
-TEST(BlockSystem, balancesALinearStructureInAFluidThatRespondsWithOneFactorisation) {
+TEST(BlockSystem, balances_a_linear_structure_in_a_fluid_that_responds_with_one_factorisation) {
     SpringsInFluid model(0);
     EXPECT_LT(model.imbalance(model.solve()), 1e-9); // conditions of K and of the block: some 1e3
     EXPECT_EQ(model.springs.nFactorisations, 1);
 }
 
-TEST(BlockSystem, convergesQuadraticallyForANonlinearStructure) {
+TEST(BlockSystem, converges_quadratically_for_a_nonlinear_structure) {
     SpringsInFluid model(5);
     EXPECT_LT(model.imbalance(model.solve()), 1e-9);
     // Five or so to get near, three to double the digits.
     EXPECT_LT(model.springs.nFactorisations, 10);
 }
 
-TEST(BlockSystem, keepsATangentWhileItServes) {
+TEST(BlockSystem, keeps_a_tangent_while_it_serves) {
     SpringsInFluid model(5);
     model.springs.contraction = 0.1;
     EXPECT_LT(model.imbalance(model.solve()), 1e-7); // a tenth of 1e-9 of d, times K of some 1e2
@@ -117,19 +117,19 @@ TEST(BlockSystem, keepsATangentWhileItServes) {
     EXPECT_EQ(model.springs.nFactorisations, nBefore);
 }
 
-TEST(BlockSystem, withoutAResponseIsTheStructureAlone) {
+TEST(BlockSystem, without_a_response_is_the_structure_alone) {
     SpringsInFluid model(5);
     model.J = {};
     EXPECT_LT((model.springs.residual(model.solve()) - model.loads).norm(), 1e-9);
 }
 
-TEST(BlockSystem, forcesThatAreNotFiniteEndInAnError) {
+TEST(BlockSystem, forces_that_are_not_finite_end_in_an_error) {
     SpringsInFluid model(1);
     model.loads[3] = std::nan("");
     EXPECT_THROW(model.solve(), SolverError);
 }
 
-TEST(FluidLag, correctsForSevenTenthsOfWhatTheFluidKept) {
+TEST(FluidLag, corrects_for_seven_tenths_of_what_the_fluid_kept) {
     const VectorXd answer1 = VectorXd::Constant(2, 1);
     const VectorXd answer2 = VectorXd::Constant(2, 3);
     const double q = 0.3;
@@ -141,7 +141,7 @@ TEST(FluidLag, correctsForSevenTenthsOfWhatTheFluidKept) {
     EXPECT_NEAR((lag.corrected(came) - answer2)[0], left * (1 - 3), 1e-14);
 }
 
-TEST(FluidLag, aConvergedFluidIsTakenAsItComesAndIsAlwaysInformative) {
+TEST(FluidLag, a_converged_fluid_is_taken_as_it_comes_and_is_always_informative) {
     FluidLag lag({0, 3});
     lag.beginTimeStep();
     for (const double force : {1.0, 5.0, 5.1, 5.1}) {
@@ -150,7 +150,7 @@ TEST(FluidLag, aConvergedFluidIsTakenAsItComesAndIsAlwaysInformative) {
     }
 }
 
-TEST(FluidLag, aDifferenceThatTheLagExplainsIsNotInformative) {
+TEST(FluidLag, a_difference_that_the_lag_explains_is_not_informative) {
     const auto isInformativeAfter = [](double change) {
         FluidLag lag({0.1, 5});
         lag.beginTimeStep();
@@ -178,7 +178,7 @@ int newtonIterations(Springs& springs, const VectorXd& loads, double tolerance) 
     }
 }
 
-TEST(BlockQuasiNewton, leavesATenthOfTheToleranceToNewtonsMethod) {
+TEST(BlockQuasiNewton, leaves_a_tenth_of_the_tolerance_to_newtons_method) {
     // One factorisation belongs to the residual; those of the line search's shorter steps
     // do not occur, as the springs are nearly linear here.
     const VectorXd force = VectorXd::Constant(5, 0.1);
@@ -209,7 +209,7 @@ double meanEvaluations(CoupledModel& model, const char* name) {
 }
 
 /// Limits: those of the design, measured with a prototype, and a fifth more.
-TEST(BlockQuasiNewton, needsFewEvaluationsAtAnyAddedMassAndFindsTheMonolithicSolution) {
+TEST(BlockQuasiNewton, needs_few_evaluations_at_any_added_mass_and_finds_the_monolithic_solution) {
     ElasticTube tube(40, 10, 0.01);
     EXPECT_LT(meanEvaluations(tube, "tube"), 1.2 * 3.3);
     const struct {
@@ -228,7 +228,7 @@ TEST(BlockQuasiNewton, needsFewEvaluationsAtAnyAddedMassAndFindsTheMonolithicSol
 
 /// From rest, before the fluid's response is known, noise can keep a step from
 /// converging; once it is known, it cannot.
-TEST(BlockQuasiNewton, standsWhiteNoise) {
+TEST(BlockQuasiNewton, stands_white_noise) {
     for (const double noise : {1e-5, 1e-3}) {
         Ring ring(RingWall::cubic, 100);
         const RunResult result = coupledRun(ring, CouplingOptions(), 10 * noise, {noise, 0});
@@ -237,7 +237,7 @@ TEST(BlockQuasiNewton, standsWhiteNoise) {
     }
 }
 
-TEST(BlockQuasiNewton, standsAFluidWithMemoryByItsGuard) {
+TEST(BlockQuasiNewton, stands_a_fluid_with_memory_by_its_guard) {
     for (const double q : {0.1, 0.3}) {
         const auto run = [q](double fluidMemory) {
             CouplingOptions options;
@@ -252,7 +252,7 @@ TEST(BlockQuasiNewton, standsAFluidWithMemoryByItsGuard) {
     }
 }
 
-TEST(BlockQuasiNewton, jacobianFollowsTheTimeStep) {
+TEST(BlockQuasiNewton, jacobian_follows_the_time_step) {
     // Forces of an added mass go as 1/Δt². One unknown is known after one
     // difference: with the Jacobian scaled, the first answer in a step of
     // another length is right.
@@ -281,7 +281,7 @@ CouplingOptions withMemory() {
     return options;
 }
 
-TEST(BlockQuasiNewton, aRejectedStepLeavesNoTrace) {
+TEST(BlockQuasiNewton, a_rejected_step_leaves_no_trace) {
     Springs springs(6, 3, 0);
     const LinearResponse fluid{-5 * MatrixXd::Identity(3, 3), VectorXd::Ones(3)};
     const auto run = [&](bool withRejection) {
@@ -304,7 +304,7 @@ TEST(BlockQuasiNewton, aRejectedStepLeavesNoTrace) {
     EXPECT_LT((run(true) - run(false)).norm(), 1e-12 * run(false).norm()); // scaled to and fro
 }
 
-TEST(BlockQuasiNewton, continuesBitByBitFromASavedState) {
+TEST(BlockQuasiNewton, continues_bit_by_bit_from_a_saved_state) {
     Springs springs(6, 3, 0);
     const auto advance = [&](BlockQuasiNewton& driver, int step) {
         const LinearResponse fluid{-5 * MatrixXd::Identity(3, 3), VectorXd::Constant(3, step)};
@@ -352,7 +352,7 @@ class Arch : public LinearisedStructure {
     double tangent_ = 1;
 };
 
-TEST(BlockQuasiNewton, resetsAResponseInWhichTheStructureHasNoSolution) {
+TEST(BlockQuasiNewton, resets_a_response_in_which_the_structure_has_no_solution) {
     // From -0.2 at rest the force seems to grow like the displacement: d + d² =
     // -0.2 + d has no solution. It has done so by itself, and stays: d + d² = F.
     CouplingOptions options;

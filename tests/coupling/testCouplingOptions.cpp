@@ -44,11 +44,11 @@ class EveryMethod : public testing::TestWithParam<CouplingMethodType> {
     CouplingOptions options;
 };
 
-TEST_P(EveryMethod, hasValidDefaults) {
+TEST_P(EveryMethod, has_valid_defaults) {
     EXPECT_EQ(refusal(options), "");
 }
 
-TEST_P(EveryMethod, refusesNumbersOutOfTheRangeThatTheManualStates) {
+TEST_P(EveryMethod, refuses_numbers_out_of_the_range_that_the_manual_states) {
     for (const auto& [entry, slot] : numbersOf(couplingSchema(), &options)) {
         ASSERT_NE(entry->range.text(), "") << entry->name;
         if (const auto* integer = std::get_if<int*>(&slot)) {
@@ -74,7 +74,7 @@ TEST_P(EveryMethod, refusesNumbersOutOfTheRangeThatTheManualStates) {
 INSTANTIATE_TEST_SUITE_P(CouplingOptions, EveryMethod, testing::ValuesIn(couplingMethods()),
                          [](const auto& of) { return of.param.name; });
 
-TEST(CouplingOptions, maxRankMustLeaveSomethingToCompress) {
+TEST(CouplingOptions, max_rank_must_leave_something_to_compress) {
     CouplingOptions options;
     for (const auto& [entry, slot] : numbersOf(couplingSchema(), &options)) {
         if (entry->name == "maxRank") {
@@ -84,14 +84,14 @@ TEST(CouplingOptions, maxRankMustLeaveSomethingToCompress) {
     EXPECT_EQ(refusal(options), "maxRank: 1 is out of range; allowed: [2, inf)");
 }
 
-TEST(CouplingOptions, boundsOfAitkensFactorMustNotCross) {
+TEST(CouplingOptions, bounds_of_aitkens_factor_must_not_cross) {
     CouplingOptions options;
     options.acceleration.type = "aitken";
     options.acceleration.of<Aitken::Options>().maxRelaxation = 0.001;
     EXPECT_EQ(refusal(options), "maxRelaxation: 0.001 is below minRelaxation, which is 0.01");
 }
 
-TEST(CouplingOptions, aMethodThatDoesNotExistIsRefusedWithThoseThatDo) {
+TEST(CouplingOptions, a_method_that_does_not_exist_is_refused_with_those_that_do) {
     CouplingOptions options;
     options.acceleration.type = "newton";
     EXPECT_THAT(
@@ -99,7 +99,7 @@ TEST(CouplingOptions, aMethodThatDoesNotExistIsRefusedWithThoseThatDo) {
         HasSubstr("acceleration.type: there is no 'newton'; allowed: explicit, constant, "));
 }
 
-TEST(CouplingOptions, areCheckedWhereAMethodIsMade) {
+TEST(CouplingOptions, are_checked_where_a_method_is_made) {
     CouplingOptions options;
     options.acceleration.type = "aitken";
     options.acceleration.of<Aitken::Options>().initialRelaxation = 2.5;

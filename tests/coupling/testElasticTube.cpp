@@ -54,7 +54,8 @@ Result runTube(const CouplingOptions& options) {
 
 /// Published upper limits of an implementation of another house (FOAM-FSI,
 /// test_broydenpostprocessing) with the same extrapolation and tolerance.
-TEST(ElasticTube, iqnIlsNeedsNoMoreIterationsThanPublishedAndFindsTheMonolithicSolution) {
+TEST(ElasticTube,
+     iqn_ils_needs_no_more_iterations_than_published_and_finds_the_monolithic_solution) {
     const struct {
         int reusedTimeSteps;
         double publishedLimit;
@@ -78,7 +79,7 @@ TEST(ElasticTube, iqnIlsNeedsNoMoreIterationsThanPublishedAndFindsTheMonolithicS
 
 /// Carrying the Jacobian over needs no more than the best of the published
 /// limits, those of eight reused steps, and its cost does not grow with time.
-TEST(ElasticTube, mvqnDoesAtLeastAsWellWithABoundedRank) {
+TEST(ElasticTube, mvqn_does_at_least_as_well_with_a_bounded_rank) {
     CouplingOptions options;
     options.acceleration.type = "mvqn";
     options.predictor = Extrapolation::quadratic;
@@ -92,7 +93,7 @@ TEST(ElasticTube, mvqnDoesAtLeastAsWellWithABoundedRank) {
     EXPECT_LT(result.largestError, 2 * tolerance);
 }
 
-TEST(ElasticTube, aitkenFindsTheMonolithicSolutionToo) {
+TEST(ElasticTube, aitken_finds_the_monolithic_solution_too) {
     CouplingOptions options;
     options.acceleration.type = "aitken";
     const Result result = runTube(options);
@@ -101,7 +102,7 @@ TEST(ElasticTube, aitkenFindsTheMonolithicSolutionToo) {
     EXPECT_LT(result.largestError, 2 * tolerance);
 }
 
-TEST(ElasticTube, explicitCouplingDiverges) {
+TEST(ElasticTube, explicit_coupling_diverges) {
     CouplingOptions options;
     options.acceleration.type = "explicit";
     ElasticTube tube(nCells, 10, 0.01);

@@ -39,7 +39,7 @@ void erase(std::vector<VectorXd>& columns, const std::vector<int>& dropped) {
     }
 }
 
-TEST(FilteredQr, factorsStayExactAsColumnsComeAndGo) {
+TEST(FilteredQr, factors_stay_exact_as_columns_come_and_go) {
     std::srand(7);
     FilteredQr qr({QrFilter::qr2, 0});
     std::vector<VectorXd> columns;
@@ -61,7 +61,7 @@ TEST(FilteredQr, factorsStayExactAsColumnsComeAndGo) {
     EXPECT_EQ(largest, 12u); // never more than rows
 }
 
-TEST(FilteredQr, solvesTheLeastSquaresProblem) {
+TEST(FilteredQr, solves_the_least_squares_problem) {
     std::srand(8);
     FilteredQr qr({QrFilter::qr2, 1e-3});
     MatrixXd V(9, 4);
@@ -74,7 +74,7 @@ TEST(FilteredQr, solvesTheLeastSquaresProblem) {
     EXPECT_LT((qr.solve(rightHandSide) - expected).norm(), 1e-13 * expected.norm());
 }
 
-TEST(FilteredQr, dropsColumnsOfZeros) {
+TEST(FilteredQr, drops_columns_of_zeros) {
     for (const QrFilter filter : {QrFilter::qr1, QrFilter::qr2}) {
         FilteredQr qr({filter, 0});
         EXPECT_EQ(qr.prepend(VectorXd::Zero(3)), std::vector<int>{0});
@@ -84,7 +84,7 @@ TEST(FilteredQr, dropsColumnsOfZeros) {
     }
 }
 
-TEST(FilteredQr, dropsTheOlderOfTwoDependentColumns) {
+TEST(FilteredQr, drops_the_older_of_two_dependent_columns) {
     for (const QrFilter filter : {QrFilter::qr1, QrFilter::qr2}) {
         FilteredQr qr({filter, 0});
         const VectorXd column = VectorXd::LinSpaced(5, 1, 2);
@@ -95,7 +95,7 @@ TEST(FilteredQr, dropsTheOlderOfTwoDependentColumns) {
     }
 }
 
-TEST(FilteredQr, keepsTheNewestOfMoreColumnsThanRows) {
+TEST(FilteredQr, keeps_the_newest_of_more_columns_than_rows) {
     std::srand(9);
     FilteredQr qr({QrFilter::qr2, 0});
     std::vector<VectorXd> columns;
@@ -107,7 +107,7 @@ TEST(FilteredQr, keepsTheNewestOfMoreColumnsThanRows) {
     EXPECT_EQ(qr.nColumns(), 3);
 }
 
-TEST(FilteredQr, qr2JudgesAColumnByItsOwnLengthAndQr1ByTheLargest) {
+TEST(FilteredQr, qr2_judges_a_column_by_its_own_length_and_qr1_by_the_largest) {
     // Small but independent: 1e-4 of the other column, at right angles to it.
     const VectorXd large = VectorXd::Unit(4, 0);
     const VectorXd small = 1e-4 * VectorXd::Unit(4, 1);
@@ -119,7 +119,7 @@ TEST(FilteredQr, qr2JudgesAColumnByItsOwnLengthAndQr1ByTheLargest) {
     EXPECT_EQ(qr1.prepend(large), std::vector<int>{1});
 }
 
-TEST(FilteredQr, limitIsTheSineOfTheAngleToTheNewerColumns) {
+TEST(FilteredQr, limit_is_the_sine_of_the_angle_to_the_newer_columns) {
     const auto dropsAtAngle = [](double sine) {
         FilteredQr qr({QrFilter::qr2, 0.01});
         VectorXd older(2);

@@ -40,7 +40,7 @@ void runStep(CouplingMethod& method, const LinearResponse& response, double delt
     EXPECT_LT(method.accept(response(x)).residual, tolerance);
 }
 
-TEST(FixedPoint, convergesToTheSolutionOfTheCoupledProblem) {
+TEST(FixedPoint, converges_to_the_solution_of_the_coupled_problem) {
     const LinearResponse response = exampleResponse();
     GivenSolution driver(iqnIls(), tolerance, VectorXd::Zero(4));
     VectorXd x = driver->predict(0.1);
@@ -55,7 +55,7 @@ TEST(FixedPoint, convergesToTheSolutionOfTheCoupledProblem) {
     EXPECT_LT(response.error(x), 2 * tolerance);
 }
 
-TEST(FixedPoint, predictsFromWhatTheStructureAccepted) {
+TEST(FixedPoint, predicts_from_what_the_structure_accepted) {
     const LinearResponse response = exampleResponse();
     GivenSolution driver(iqnIls(), tolerance, VectorXd::Zero(4));
     runStep(*driver, response, 0.1);
@@ -63,7 +63,7 @@ TEST(FixedPoint, predictsFromWhatTheStructureAccepted) {
     EXPECT_LT((driver->predict(0.2) - expected).norm(), 10 * tolerance * expected.norm());
 }
 
-TEST(FixedPoint, aRejectedStepLeavesNoTrace) {
+TEST(FixedPoint, a_rejected_step_leaves_no_trace) {
     const LinearResponse response = exampleResponse();
     GivenSolution driver(iqnIls(), tolerance, VectorXd::Zero(4));
     GivenSolution undisturbed(iqnIls(), tolerance, VectorXd::Zero(4));
@@ -77,7 +77,7 @@ TEST(FixedPoint, aRejectedStepLeavesNoTrace) {
     EXPECT_EQ(driver->iterate(2 * x, 0).x, undisturbed->iterate(2 * x, 0).x);
 }
 
-TEST(FixedPoint, finalResidualBelongsToTheDisplacementOfTheLastIteration) {
+TEST(FixedPoint, final_residual_belongs_to_the_displacement_of_the_last_iteration) {
     GivenSolution driver(iqnIls(), tolerance, VectorXd::Zero(1));
     driver->predict(0.1);
     driver->iterate(VectorXd::Ones(1), 0); // proposes 0.1
@@ -85,14 +85,14 @@ TEST(FixedPoint, finalResidualBelongsToTheDisplacementOfTheLastIteration) {
     EXPECT_NEAR(driver->accept(VectorXd::Ones(1)).residual, 0.9, 1e-15);
 }
 
-TEST(FixedPoint, acceptsAStepWithoutAnyIteration) {
+TEST(FixedPoint, accepts_a_step_without_any_iteration) {
     GivenSolution driver(iqnIls(), tolerance, VectorXd::Ones(1));
     driver->predict(0.1);
     EXPECT_EQ(driver->accept(VectorXd::Constant(1, 2)).residual, 0.5);
     EXPECT_EQ(driver->statistics().nIterations, 0);
 }
 
-TEST(FixedPoint, explicitCouplingTakesOneIterationAndDoesNotMoveOn) {
+TEST(FixedPoint, explicit_coupling_takes_one_iteration_and_does_not_move_on) {
     CouplingOptions options;
     options.acceleration.type = "explicit";
     GivenSolution driver(options, tolerance, VectorXd::Ones(1));
@@ -107,7 +107,7 @@ TEST(FixedPoint, explicitCouplingTakesOneIterationAndDoesNotMoveOn) {
     EXPECT_EQ(driver->predict(0.1)[0], 3);
 }
 
-TEST(FixedPoint, countsIterationsAndResidualsOfEachStep) {
+TEST(FixedPoint, counts_iterations_and_residuals_of_each_step) {
     const LinearResponse response = exampleResponse();
     GivenSolution driver(iqnIls(), tolerance, VectorXd::Zero(4));
     runStep(*driver, response, 0.1);
@@ -119,7 +119,7 @@ TEST(FixedPoint, countsIterationsAndResidualsOfEachStep) {
     EXPECT_EQ(driver->statistics().nIterations, 0);
 }
 
-TEST(FixedPoint, aStructuralSolutionThatIsNotFiniteIsAnError) {
+TEST(FixedPoint, a_structural_solution_that_is_not_finite_is_an_error) {
     GivenSolution driver(iqnIls(), tolerance, VectorXd::Zero(3));
     driver->predict(0.1);
     const VectorXd xTilde(Eigen::Vector3d(1, 1, std::nan("")));
@@ -127,21 +127,21 @@ TEST(FixedPoint, aStructuralSolutionThatIsNotFiniteIsAnError) {
     EXPECT_THROW(driver->accept(xTilde), SolverError);
 }
 
-TEST(ConvergenceCriteria, residualIsRelativeToTheDisplacement) {
+TEST(ConvergenceCriteria, residual_is_relative_to_the_displacement) {
     ConvergenceCriteria criteria(ConvergenceOptions(), tolerance);
     const VectorXd x = VectorXd::Constant(7, 3);
     EXPECT_NEAR(criteria.residual(x, 1.01 * x, {}), 0.01 / 1.01, 1e-14);
     EXPECT_NEAR(criteria.residual(1e-9 * x, 1.01e-9 * x, {}), 0.01 / 1.01, 1e-14);
 }
 
-TEST(ConvergenceCriteria, aStructureAtRestHasConverged) {
+TEST(ConvergenceCriteria, a_structure_at_rest_has_converged) {
     ConvergenceCriteria criteria(ConvergenceOptions(), tolerance);
     EXPECT_EQ(criteria.residual(VectorXd::Zero(2), VectorXd::Zero(2), {}), 0);
     EXPECT_EQ(criteria.residual(VectorXd::Zero(2), VectorXd::Ones(2), {}), 1);
     EXPECT_EQ(criteria.residual(VectorXd::Ones(2), VectorXd::Zero(2), {}), 1);
 }
 
-TEST(ConvergenceCriteria, absoluteFloorIsReachedExactlyAtTheTolerance) {
+TEST(ConvergenceCriteria, absolute_floor_is_reached_exactly_at_the_tolerance) {
     ConvergenceOptions options;
     options.absoluteDisplacement = 1e-3;
     ConvergenceCriteria criteria(options, tolerance);
@@ -152,7 +152,7 @@ TEST(ConvergenceCriteria, absoluteFloorIsReachedExactlyAtTheTolerance) {
     EXPECT_GT(residualOf(1.01e-3), tolerance);
 }
 
-TEST(ConvergenceCriteria, forceMustHoldStillToo) {
+TEST(ConvergenceCriteria, force_must_hold_still_too) {
     ConvergenceOptions options;
     options.relativeForce = 1e-3;
     ConvergenceCriteria criteria(options, tolerance);
@@ -166,7 +166,7 @@ TEST(ConvergenceCriteria, forceMustHoldStillToo) {
     EXPECT_EQ(criteria.residual(x, x, forces), 1) << "forces of another step do not count";
 }
 
-TEST(ConvergenceCriteria, toleranceOutOfItsRangeIsRefused) {
+TEST(ConvergenceCriteria, tolerance_out_of_its_range_is_refused) {
     for (const double wrong : {0.0, -1e-4, 1.1, std::nan("")}) {
         EXPECT_THROW(ConvergenceCriteria(ConvergenceOptions(), wrong), InputError) << wrong;
     }

@@ -26,7 +26,7 @@ VectorXd strongAddedMass() {
     return ratios;
 }
 
-TEST(IqnIls, solvesALinearProblemOfNUnknownsInNPlusOneIterations) {
+TEST(IqnIls, solves_a_linear_problem_of_n_unknowns_in_n_plus_one_iterations) {
     for (const int n : {1, 2, 5, 12}) {
         std::srand(static_cast<unsigned>(n));
         const LinearResponse response{Eigen::MatrixXd::Random(n, n), VectorXd::Random(n)};
@@ -36,13 +36,13 @@ TEST(IqnIls, solvesALinearProblemOfNUnknownsInNPlusOneIterations) {
     }
 }
 
-TEST(IqnIls, needsAllOfThem) {
+TEST(IqnIls, needs_all_of_them) {
     const LinearResponse response = addedMass(strongAddedMass());
     IqnIls method(bare());
     EXPECT_GT(response.error(iterated(method, response, 4)), 1e-6);
 }
 
-TEST(IqnIls, convergesWithItsDefaultGuardsWhereRelaxationDiverges) {
+TEST(IqnIls, converges_with_its_default_guards_where_relaxation_diverges) {
     const LinearResponse response = addedMass(strongAddedMass());
     ConstantRelaxation relaxation({0.1});
     EXPECT_GT(response.error(iterated(relaxation, response, 20)), 1e10);
@@ -50,7 +50,7 @@ TEST(IqnIls, convergesWithItsDefaultGuardsWhereRelaxationDiverges) {
     EXPECT_LT(response.error(iterated(method, response, 20)), 1e-8);
 }
 
-TEST(IqnIls, oneIterationIsEnoughInALaterStepOfALinearProblem) {
+TEST(IqnIls, one_iteration_is_enough_in_a_later_step_of_a_linear_problem) {
     LinearResponse response = addedMass(strongAddedMass());
     IqnIls method(bare());
     iterated(method, response, 6);
@@ -59,7 +59,7 @@ TEST(IqnIls, oneIterationIsEnoughInALaterStepOfALinearProblem) {
     EXPECT_LT(response.error(iterated(method, response, 1)), 1e-9);
 }
 
-TEST(IqnIls, reuseEndsAfterTheStepsAskedFor) {
+TEST(IqnIls, reuse_ends_after_the_steps_asked_for) {
     const LinearResponse response = addedMass(strongAddedMass());
     IqnIls::Options options = bare();
     options.reusedTimeSteps = 2;
@@ -73,7 +73,7 @@ TEST(IqnIls, reuseEndsAfterTheStepsAskedFor) {
     }
 }
 
-TEST(IqnIls, keepsOnlyTheNewestColumns) {
+TEST(IqnIls, keeps_only_the_newest_columns) {
     const LinearResponse response = addedMass(strongAddedMass());
     IqnIls::Options options = bare();
     options.maxColumns = 2;
@@ -82,7 +82,7 @@ TEST(IqnIls, keepsOnlyTheNewestColumns) {
     EXPECT_EQ(method.nColumns(), 2);
 }
 
-TEST(IqnIls, aRejectedStepTeachesNothing) {
+TEST(IqnIls, a_rejected_step_teaches_nothing) {
     const LinearResponse response = addedMass(strongAddedMass());
     IqnIls method(bare());
     iterated(method, response, 3);
@@ -93,7 +93,7 @@ TEST(IqnIls, aRejectedStepTeachesNothing) {
     EXPECT_EQ(method.nColumns(), 2);
 }
 
-TEST(IqnIls, aMoveBelowTheFluidsOwnErrorTeachesNothing) {
+TEST(IqnIls, a_move_below_the_fluids_own_error_teaches_nothing) {
     // |Δx|/|xTilde| is 0.1 here, and signalToNoise 3.
     const auto nColumnsAtResidual = [](double fluidResidual) {
         IqnIls method{IqnIls::Options()};
@@ -106,7 +106,7 @@ TEST(IqnIls, aMoveBelowTheFluidsOwnErrorTeachesNothing) {
     EXPECT_EQ(nColumnsAtResidual(0.04), 0);
 }
 
-TEST(IqnIls, driftOfTheFluidAtTheSameDisplacementTeachesNothing) {
+TEST(IqnIls, drift_of_the_fluid_at_the_same_displacement_teaches_nothing) {
     IqnIls method(bare());
     method.beginTimeStep();
     method.next(VectorXd::Ones(2), VectorXd::Constant(2, 2), 0);
@@ -114,7 +114,7 @@ TEST(IqnIls, driftOfTheFluidAtTheSameDisplacementTeachesNothing) {
     EXPECT_EQ(method.nColumns(), 0);
 }
 
-TEST(IqnIls, stepIsLimitedToAMultipleOfTheResidual) {
+TEST(IqnIls, step_is_limited_to_a_multiple_of_the_residual) {
     // xTilde = 0.9 x + 1: the secant alone would step 10 residuals far.
     const LinearResponse response{Eigen::MatrixXd::Constant(1, 1, 0.9), VectorXd::Ones(1)};
     IqnIls method{IqnIls::Options()};
@@ -126,7 +126,7 @@ TEST(IqnIls, stepIsLimitedToAMultipleOfTheResidual) {
     EXPECT_LT(response.error(iterated(unlimited, response, 2)), 1e-13);
 }
 
-TEST(IqnIls, smallColumnsAreDroppedAtTheEndOfTheirStep) {
+TEST(IqnIls, small_columns_are_dropped_at_the_end_of_their_step) {
     const auto nKept = [](double keepFraction) {
         IqnIls::Options options = bare();
         options.keepFraction = keepFraction;

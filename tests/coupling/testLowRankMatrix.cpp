@@ -14,7 +14,7 @@ MatrixXd dense(const LowRankMatrix& matrix) {
     return matrix.A() * matrix.B().transpose();
 }
 
-TEST(LowRankMatrix, isTheSumOfItsTerms) {
+TEST(LowRankMatrix, is_the_sum_of_its_terms) {
     std::srand(1);
     const MatrixXd A1 = MatrixXd::Random(7, 2);
     const MatrixXd B1 = MatrixXd::Random(5, 2);
@@ -30,14 +30,14 @@ TEST(LowRankMatrix, isTheSumOfItsTerms) {
     EXPECT_EQ(matrix.rank(), 3);
 }
 
-TEST(LowRankMatrix, ofRankZeroIsTheZeroMatrix) {
+TEST(LowRankMatrix, of_rank_zero_is_the_zero_matrix) {
     LowRankMatrix matrix;
     matrix.compress(3, 0);
     EXPECT_EQ(matrix.rank(), 0);
     EXPECT_EQ(matrix.apply(VectorXd::Ones(5), 7), VectorXd::Zero(7));
 }
 
-TEST(LowRankMatrix, compressionErrsByTheFirstSingularValueLeftOut) {
+TEST(LowRankMatrix, compression_errs_by_the_first_singular_value_left_out) {
     std::srand(2);
     LowRankMatrix matrix;
     matrix.append(MatrixXd::Random(9, 4), MatrixXd::Random(6, 4));
@@ -49,7 +49,7 @@ TEST(LowRankMatrix, compressionErrsByTheFirstSingularValueLeftOut) {
     EXPECT_NEAR(errors[0], values[2], 1e-13 * values[0]);
 }
 
-TEST(LowRankMatrix, compressionFindsTheTrueRank) {
+TEST(LowRankMatrix, compression_finds_the_true_rank) {
     // More terms than rows and columns, all of them in two directions.
     std::srand(3);
     const MatrixXd A = MatrixXd::Random(5, 2) * MatrixXd::Random(2, 20);

@@ -39,7 +39,7 @@ MatrixXd dense(const MultiVectorModel& model, const MatrixXd& like) {
     return result;
 }
 
-TEST(MultiVectorModel, satisfiesEverySecantOfTheStepAndElseKeepsTheOldJacobian) {
+TEST(MultiVectorModel, satisfies_every_secant_of_the_step_and_else_keeps_the_old_jacobian) {
     std::srand(11);
     const MatrixXd old = MatrixXd::Random(6, 5); // forces and displacements: not square
     const MatrixXd current = MatrixXd::Random(6, 5);
@@ -58,7 +58,7 @@ TEST(MultiVectorModel, satisfiesEverySecantOfTheStepAndElseKeepsTheOldJacobian) 
     EXPECT_LT(((dense(model, old) - old) * complement).norm(), rounding);
 }
 
-TEST(MultiVectorModel, productEqualsWhatIsApplied) {
+TEST(MultiVectorModel, product_equals_what_is_applied) {
     std::srand(12);
     const MatrixXd A = MatrixXd::Random(6, 5);
     MultiVectorModel model(bare());
@@ -69,7 +69,7 @@ TEST(MultiVectorModel, productEqualsWhatIsApplied) {
     EXPECT_LT((product.A() * product.B().transpose() - dense(model, A)).norm(), rounding);
 }
 
-TEST(MultiVectorModel, learnsALinearMapFromStepsThatEachShowAPart) {
+TEST(MultiVectorModel, learns_a_linear_map_from_steps_that_each_show_a_part) {
     std::srand(13);
     const MatrixXd A = MatrixXd::Random(6, 6);
     MultiVectorModel model(bare());
@@ -81,7 +81,7 @@ TEST(MultiVectorModel, learnsALinearMapFromStepsThatEachShowAPart) {
     EXPECT_LT((dense(model, A) - A).norm(), std::pow(2.0 / 3.0, 40.0 / 2) * A.norm());
 }
 
-TEST(MultiVectorModel, rankStaysBoundedAndRestartLosesNothingOfAMapOfSmallerRank) {
+TEST(MultiVectorModel, rank_stays_bounded_and_restart_loses_nothing_of_a_map_of_smaller_rank) {
     std::srand(14);
     const MatrixXd A = MatrixXd::Random(50, 4) * MatrixXd::Random(4, 40);
     MultiVectorOptions options = bare();
@@ -98,7 +98,7 @@ TEST(MultiVectorModel, rankStaysBoundedAndRestartLosesNothingOfAMapOfSmallerRank
     EXPECT_LT((model.apply(v, 50) - A * v).norm(), 1e-10 * (A * v).norm());
 }
 
-TEST(MultiVectorModel, smallDifferencesAreNotCarriedOn) {
+TEST(MultiVectorModel, small_differences_are_not_carried_on) {
     const auto learned = [](double keepFraction) {
         MultiVectorOptions options = bare();
         options.keepFraction = keepFraction;
@@ -115,7 +115,7 @@ TEST(MultiVectorModel, smallDifferencesAreNotCarriedOn) {
     EXPECT_NEAR(learned(0.05), 0, rounding);
 }
 
-TEST(MultiVectorModel, aRejectedStepIsForgotten) {
+TEST(MultiVectorModel, a_rejected_step_is_forgotten) {
     std::srand(15);
     const MatrixXd A = MatrixXd::Random(5, 5);
     MultiVectorModel model(bare());
@@ -127,7 +127,7 @@ TEST(MultiVectorModel, aRejectedStepIsForgotten) {
     EXPECT_EQ(dense(model, A), before);
 }
 
-TEST(Mvqn, solvesALinearProblemOfNUnknownsInNPlusOneIterations) {
+TEST(Mvqn, solves_a_linear_problem_of_n_unknowns_in_n_plus_one_iterations) {
     for (const int n : {1, 2, 5, 12}) {
         std::srand(static_cast<unsigned>(n));
         const LinearResponse response{MatrixXd::Random(n, n), VectorXd::Random(n)};
@@ -137,7 +137,7 @@ TEST(Mvqn, solvesALinearProblemOfNUnknownsInNPlusOneIterations) {
     }
 }
 
-TEST(Mvqn, oneIterationIsEnoughInALaterStepOfALinearProblem) {
+TEST(Mvqn, one_iteration_is_enough_in_a_later_step_of_a_linear_problem) {
     VectorXd ratios(5);
     ratios << 1000, 50, 10, 1, 0.1;
     LinearResponse response = addedMass(ratios);

@@ -34,7 +34,7 @@ double largestError(Extrapolation extrapolation, int degree) {
     return error;
 }
 
-TEST(Predictor, isExactForPolynomialsOfItsDegreeWhateverTheTimeSteps) {
+TEST(Predictor, is_exact_for_polynomials_of_its_degree_whatever_the_time_steps) {
     const double rounding = 1e-12; // values up to 20, factors up to 10
     EXPECT_LT(largestError(Extrapolation::constant, 0), rounding);
     EXPECT_LT(largestError(Extrapolation::linear, 1), rounding);
@@ -42,12 +42,12 @@ TEST(Predictor, isExactForPolynomialsOfItsDegreeWhateverTheTimeSteps) {
     EXPECT_LT(largestError(Extrapolation::quadratic, 1), rounding);
 }
 
-TEST(Predictor, isNotExactForPolynomialsOfAHigherDegree) {
+TEST(Predictor, is_not_exact_for_polynomials_of_a_higher_degree) {
     EXPECT_GT(largestError(Extrapolation::constant, 1), 0.1);
     EXPECT_GT(largestError(Extrapolation::linear, 2), 0.01);
 }
 
-TEST(Predictor, beginsWithTheDegreeThatTheHistoryAllows) {
+TEST(Predictor, begins_with_the_degree_that_the_history_allows) {
     Predictor predictor(Extrapolation::quadratic, VectorXd::Constant(1, 5));
     EXPECT_EQ(predictor.predict(0.1)[0], 5);
     predictor.accept(VectorXd::Constant(1, 6), 0.1);

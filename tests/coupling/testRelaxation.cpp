@@ -16,7 +16,7 @@ LinearResponse scalarResponse(double slope) {
     return {Eigen::MatrixXd::Constant(1, 1, slope), VectorXd::Constant(1, 1)};
 }
 
-TEST(ConstantRelaxation, convergesAtTheRateOfTheory) {
+TEST(ConstantRelaxation, converges_at_the_rate_of_theory) {
     // The error is multiplied by 1 - relaxation (1 - slope) each time.
     const LinearResponse response = scalarResponse(-3);
     ConstantRelaxation relaxation({0.2});
@@ -25,13 +25,13 @@ TEST(ConstantRelaxation, convergesAtTheRateOfTheory) {
                 1e-13); // rounding errors of values of size one
 }
 
-TEST(ConstantRelaxation, divergesWhereTheAddedMassIsTooLarge) {
+TEST(ConstantRelaxation, diverges_where_the_added_mass_is_too_large) {
     const LinearResponse response = scalarResponse(-3);
     ConstantRelaxation relaxation({0.6}); // |1 - 0.6 * 4| > 1
     EXPECT_GT(response.error(iterated(relaxation, response, 20)), 100);
 }
 
-TEST(Aitken, isExactForOneUnknownThatRespondsLinearly) {
+TEST(Aitken, is_exact_for_one_unknown_that_responds_linearly) {
     for (const double slope : {-3.0, -0.5, 0.2, -40.0}) {
         const LinearResponse response = scalarResponse(slope);
         Aitken aitken{Aitken::Options()};
@@ -39,7 +39,7 @@ TEST(Aitken, isExactForOneUnknownThatRespondsLinearly) {
     }
 }
 
-TEST(Aitken, staysWithinItsBounds) {
+TEST(Aitken, stays_within_its_bounds) {
     Aitken::Options options;
     options.minRelaxation = 0.05;
     options.maxRelaxation = 0.4;
@@ -50,7 +50,7 @@ TEST(Aitken, staysWithinItsBounds) {
     EXPECT_EQ(aitken.relaxation(), 0.4);
 }
 
-TEST(Aitken, startsAStepNoBolderThanItsFirst) {
+TEST(Aitken, starts_a_step_no_bolder_than_its_first) {
     Aitken aitken{Aitken::Options()};
     iterated(aitken, scalarResponse(0), 2);
     EXPECT_NEAR(aitken.relaxation(), 1, 1e-13);
@@ -58,7 +58,7 @@ TEST(Aitken, startsAStepNoBolderThanItsFirst) {
     EXPECT_EQ(aitken.relaxation(), Aitken::Options().initialRelaxation);
 }
 
-TEST(Aitken, startsAStepAsCautiouslyAsTheLastOneEndedUnlessThatIsRejected) {
+TEST(Aitken, starts_a_step_as_cautiously_as_the_last_one_ended_unless_that_is_rejected) {
     Aitken aitken{Aitken::Options()};
     iterated(aitken, scalarResponse(-39), 2);
     EXPECT_NEAR(aitken.relaxation(), 1 / 40.0, 1e-13); // exact for that slope
@@ -71,7 +71,7 @@ TEST(Aitken, startsAStepAsCautiouslyAsTheLastOneEndedUnlessThatIsRejected) {
     EXPECT_EQ(aitken.relaxation(), Aitken::Options().initialRelaxation);
 }
 
-TEST(Aitken, aResidualThatDoesNotChangeLeavesTheFactor) {
+TEST(Aitken, a_residual_that_does_not_change_leaves_the_factor) {
     Aitken aitken{Aitken::Options()};
     aitken.beginTimeStep();
     const VectorXd x = VectorXd::Zero(1);

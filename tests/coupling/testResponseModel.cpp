@@ -21,7 +21,7 @@ double error(const ResponseModel& model, const MatrixXd& J) {
     return (model.matrix().A() * model.matrix().B().transpose() - J).norm() / J.norm();
 }
 
-TEST(ResponseModel, isExactAfterAsManyIndependentDifferencesAsThereAreDirections) {
+TEST(ResponseModel, is_exact_after_as_many_independent_differences_as_there_are_directions) {
     std::srand(3);
     const MatrixXd J = MatrixXd::Random(4, n);
     ResponseModel model(withoutLeastNoise());
@@ -35,7 +35,7 @@ TEST(ResponseModel, isExactAfterAsManyIndependentDifferencesAsThereAreDirections
     EXPECT_LT(error(model, J), 1e-10); // condition of the differences: some 1e2
 }
 
-TEST(ResponseModel, keepsInAStepWhatTheStepHasTaughtAndCorrectsEarlierSteps) {
+TEST(ResponseModel, keeps_in_a_step_what_the_step_has_taught_and_corrects_earlier_steps) {
     std::srand(4);
     const MatrixXd before = MatrixXd::Random(n, n);
     const MatrixXd now = MatrixXd::Random(n, n);
@@ -53,7 +53,7 @@ TEST(ResponseModel, keepsInAStepWhatTheStepHasTaughtAndCorrectsEarlierSteps) {
     EXPECT_LT(error(model, expected), 1e-13);
 }
 
-TEST(ResponseModel, aDifferenceWithinItsNoiseChangesLittle) {
+TEST(ResponseModel, a_difference_within_its_noise_changes_little) {
     const VectorXd v = VectorXd::Unit(n, 2);
     const VectorXd w = VectorXd::Ones(n);
     const auto learned = [&](double noise) {
@@ -67,7 +67,7 @@ TEST(ResponseModel, aDifferenceWithinItsNoiseChangesLittle) {
     EXPECT_DOUBLE_EQ(learned(3), 0.1); // 1 / (1 + 9)
 }
 
-TEST(ResponseModel, differencesThatSayTheSameAreNotDividedByNothing) {
+TEST(ResponseModel, differences_that_say_the_same_are_not_divided_by_nothing) {
     ResponseModel model{ResponseOptions()};
     model.beginTimeStep();
     const VectorXd v = VectorXd::Ones(n);
@@ -78,7 +78,7 @@ TEST(ResponseModel, differencesThatSayTheSameAreNotDividedByNothing) {
     EXPECT_LE(model.matrix().apply(v, n).norm(), 2 * v.norm() * (1 + 1e-12));
 }
 
-TEST(ResponseModel, aRejectedStepLeavesNoTrace) {
+TEST(ResponseModel, a_rejected_step_leaves_no_trace) {
     ResponseModel model{ResponseOptions()};
     model.beginTimeStep();
     model.learn(VectorXd::Unit(n, 0), VectorXd::Ones(n), 0);
@@ -106,7 +106,7 @@ double unobservedResponse(double ratio, double factor) {
     return -model.matrix().apply(VectorXd::Unit(n, 1), n)[1];
 }
 
-TEST(ResponseModel, aStepOfAnotherLengthShowsHowMuchOfTheResponseIsInertia) {
+TEST(ResponseModel, a_step_of_another_length_shows_how_much_of_the_response_is_inertia) {
     for (const double ratio : {0.5, 2.0, 4.0}) {
         EXPECT_NEAR(unobservedResponse(ratio, ratio * ratio), ratio * ratio, 1e-13);
         EXPECT_NEAR(unobservedResponse(ratio, ratio), ratio, 1e-13); // damping
@@ -117,11 +117,11 @@ TEST(ResponseModel, aStepOfAnotherLengthShowsHowMuchOfTheResponseIsInertia) {
     EXPECT_NEAR(unobservedResponse(2, 100), 4 * 2.25, 1e-13);
 }
 
-TEST(ResponseModel, aStepOfTheSameLengthIsNotRescaled) {
+TEST(ResponseModel, a_step_of_the_same_length_is_not_rescaled) {
     EXPECT_NEAR(unobservedResponse(1, 3), 1, 1e-13);
 }
 
-TEST(ResponseModel, aStepThatIsRejectedTwiceIsRescaledFromTheLastAcceptedOne) {
+TEST(ResponseModel, a_step_that_is_rejected_twice_is_rescaled_from_the_last_accepted_one) {
     ResponseModel model(withoutLeastNoise());
     model.beginTimeStep();
     model.learn(VectorXd::Unit(n, 0), VectorXd::Unit(n, 0), 0);
@@ -138,7 +138,7 @@ TEST(ResponseModel, aStepThatIsRejectedTwiceIsRescaledFromTheLastAcceptedOne) {
     EXPECT_NEAR(model.matrix().apply(VectorXd::Unit(n, 1), n)[1], 1, 1e-13);
 }
 
-TEST(ResponseModel, rankStaysBounded) {
+TEST(ResponseModel, rank_stays_bounded) {
     std::srand(5);
     ResponseOptions options;
     options.maxRank = 8;

@@ -86,7 +86,7 @@ class SavedHistory : public testing::TestWithParam<std::string> {
     CouplingOptions options = optionsOf(GetParam(), Extrapolation::quadratic);
 };
 
-TEST_P(SavedHistory, continuesBitByBit) {
+TEST_P(SavedHistory, continues_bit_by_bit) {
     GivenSolution whole(options, tolerance, VectorXd::Zero(n));
     runSteps(*whole, 1, 5, inOrder());
     const std::vector<VectorXd> expected = runSteps(*whole, 6, 10, inOrder());
@@ -99,7 +99,7 @@ TEST_P(SavedHistory, continuesBitByBit) {
     EXPECT_EQ(runSteps(*continued, 6, 10, inOrder()), expected);
 }
 
-TEST_P(SavedHistory, continuesOnAnInterfaceThatIsNumberedAnew) {
+TEST_P(SavedHistory, continues_on_an_interface_that_is_numbered_anew) {
     const std::vector<int> numbers = {3, 5, 0, 1, 4, 2};
     GivenSolution whole(options, tolerance, VectorXd::Zero(n));
     runSteps(*whole, 1, 5, inOrder());
@@ -118,7 +118,7 @@ TEST_P(SavedHistory, continuesOnAnInterfaceThatIsNumberedAnew) {
     }
 }
 
-TEST_P(SavedHistory, thatIsCutOffIsRefused) {
+TEST_P(SavedHistory, that_is_cut_off_is_refused) {
     std::vector<std::uint8_t> bytes = savedAfter(5, options);
     bytes.pop_back();
     StateReader state(bytes);
@@ -129,7 +129,7 @@ TEST_P(SavedHistory, thatIsCutOffIsRefused) {
 INSTANTIATE_TEST_SUITE_P(Accelerations, SavedHistory, testing::ValuesIn(iteratingAccelerators()),
                          [](const auto& of) { return of.param; });
 
-TEST(SavedHistory, isWorthItsExchanges) {
+TEST(SavedHistory, is_worth_its_exchanges) {
     const CouplingOptions options = optionsOf("iqnIls", Extrapolation::quadratic);
     const std::vector<std::uint8_t> bytes = savedAfter(5, options);
     StateReader state(bytes);
@@ -140,7 +140,7 @@ TEST(SavedHistory, isWorthItsExchanges) {
               runSteps(*anew, 6, 6, inOrder()).size());
 }
 
-TEST(SavedHistory, ofAnotherAccelerationLeavesThePredictor) {
+TEST(SavedHistory, of_another_acceleration_leaves_the_predictor) {
     const std::vector<std::uint8_t> bytes =
         savedAfter(5, optionsOf("iqnIls", Extrapolation::linear));
     StateReader state(bytes);

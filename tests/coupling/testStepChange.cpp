@@ -82,7 +82,7 @@ const RingFluid fluids[] = {{0, 0}, {20, 0}, {0, 1}, {0, 5}, {0, -0.2}, {0, -0.8
 
 /// What was learned may be worth nothing, but then must not cost much. (Before J was
 /// rescaled by what the new step shows: up to 18 iterations where a fresh start takes 7.)
-TEST_P(StepChange, costsLittleMoreThanAFreshStartAtMostWhateverTheFluidsForcesAreOf) {
+TEST_P(StepChange, costs_little_more_than_a_fresh_start_at_most_whatever_the_fluids_forces_are_of) {
     for (RingFluid fluid : fluids) {
         for (const double massRatio : {0.1, 1.0, 10.0, 100.0, 1000.0}) {
             fluid.isEuler = massRatio == 1 || massRatio == 100;
@@ -98,7 +98,8 @@ TEST_P(StepChange, costsLittleMoreThanAFreshStartAtMostWhateverTheFluidsForcesAr
     }
 }
 
-TEST_P(StepChange, costsOneIterationMoreThanAFreshStartAtMostWithAWallThatIsNotLinear) {
+TEST_P(StepChange,
+       costs_one_iteration_more_than_a_fresh_start_at_most_with_a_wall_that_is_not_linear) {
     for (const RingFluid& fluid : {RingFluid{0, 0}, RingFluid{0, 1}, RingFluid{0, -0.2}}) {
         for (const double massRatio : {1.0, 1000.0}) {
             const Evaluations evaluations =
@@ -112,7 +113,7 @@ TEST_P(StepChange, costsOneIterationMoreThanAFreshStartAtMostWithAWallThatIsNotL
 INSTANTIATE_TEST_SUITE_P(Ratios, StepChange,
                          testing::Values(Change{0.5}, Change{0.25}, Change{2}, Change{0.5, true}));
 
-TEST(StepChangeOfAHeavyFluid, keepsWhatWasLearnedOfInertia) {
+TEST(StepChangeOfAHeavyFluid, keeps_what_was_learned_of_inertia) {
     for (const double ratio : {0.5, 0.25, 2.0}) {
         const Evaluations evaluations = evaluationsAfter({ratio}, Ring(RingWall::linear, 1000));
         EXPECT_LE(3 * evaluations.after.front(), evaluations.ofFreshStart) << ratio;

@@ -66,18 +66,18 @@ class WoodburySolving : public testing::Test {
 // Numbers of 30 unknowns, conditions below 1e3.
 constexpr double rounding = 1e-11;
 
-TEST_F(WoodburySolving, solvesTheStructureInTheFluid) {
+TEST_F(WoodburySolving, solves_the_structure_in_the_fluid) {
     EXPECT_LT(error(), rounding);
     EXPECT_EQ(structure.nSolved, rank + 2);
 }
 
-TEST_F(WoodburySolving, withoutAResponseSolvesTheStructureAlone) {
+TEST_F(WoodburySolving, without_a_response_solves_the_structure_alone) {
     J = {};
     EXPECT_LT(error(), rounding);
     EXPECT_EQ(structure.nSolved, 1);
 }
 
-TEST_F(WoodburySolving, keepsWhatItKnowsOfColumns) {
+TEST_F(WoodburySolving, keeps_what_it_knows_of_columns) {
     error();
     EXPECT_LT(error(), rounding);
     EXPECT_EQ(structure.nSolved, 2);
@@ -89,14 +89,14 @@ TEST_F(WoodburySolving, keepsWhatItKnowsOfColumns) {
     EXPECT_EQ(structure.nSolved, rank / 2 + 2);
 }
 
-TEST_F(WoodburySolving, refinesForATangentThatHasChangedALittle) {
+TEST_F(WoodburySolving, refines_for_a_tangent_that_has_changed_a_little) {
     error();
     structure.K.diagonal() *= 1.001;
     EXPECT_LT(error(), 1e-5); // c to 1e-6
     EXPECT_LT(structure.nSolved, rank);
 }
 
-TEST_F(WoodburySolving, beginsAnewForATangentThatHasChangedMuch) {
+TEST_F(WoodburySolving, begins_anew_for_a_tangent_that_has_changed_much) {
     error();
     structure.K.diagonal() *= 3;
     EXPECT_LT(error(), rounding);
@@ -104,7 +104,7 @@ TEST_F(WoodburySolving, beginsAnewForATangentThatHasChangedMuch) {
     EXPECT_EQ(structure.nSolved, 2);
 }
 
-TEST_F(WoodburySolving, afterForgettingDependsOnItsArgumentsAlone) {
+TEST_F(WoodburySolving, after_forgetting_depends_on_its_arguments_alone) {
     const VectorXd b = VectorXd::Random(nUnknowns);
     const MatrixXd K = structure.K;
     const VectorXd first = solver.solve(J, b);

@@ -93,7 +93,7 @@ TEST(Program, check_prints_the_model_and_runs_nothing) {
     EXPECT_FALSE(std::filesystem::exists(directory.file("postProcessing")));
 }
 
-TEST(Program, check_warns_of_a_processor_that_OpenBLAS_does_not_know) {
+TEST(Program, check_warns_of_a_processor_that_openblas_does_not_know) {
     if (!__builtin_cpu_supports("avx2")) {
         GTEST_SKIP() << "Prescott's kernels are the right ones here";
     }

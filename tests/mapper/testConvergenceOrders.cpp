@@ -68,7 +68,7 @@ Points flatPoints(int n, int seed) {
 
 } // namespace
 
-TEST(ConvergenceOrders, nearestNeighbourIsOfOrderOne) {
+TEST(ConvergenceOrders, nearest_neighbour_is_of_order_one) {
     const Points to = flatPoints(90, 3);
     expectOrder(1, [&](int n) {
         const PointCloud from(flatPoints(n, 0));
@@ -77,7 +77,7 @@ TEST(ConvergenceOrders, nearestNeighbourIsOfOrderOne) {
     });
 }
 
-TEST(ConvergenceOrders, nearestElementIsOfOrderTwo) {
+TEST(ConvergenceOrders, nearest_element_is_of_order_two) {
     const Points to = flatPoints(90, 3);
     expectOrder(2, [&](int n) {
         const SurfaceMesh from = flatMesh(n, n, FaceKind::quadrilaterals, ValuesAt::vertices, 1, 1);
@@ -85,7 +85,7 @@ TEST(ConvergenceOrders, nearestElementIsOfOrderTwo) {
     });
 }
 
-TEST(ConvergenceOrders, mortarBetweenLinearMeshesIsOfOrderTwo) {
+TEST(ConvergenceOrders, mortar_between_linear_meshes_is_of_order_two) {
     for (const MortarBasis basis : {MortarBasis::standard, MortarBasis::dual}) {
         MortarOptions options;
         options.basis = basis;
@@ -104,7 +104,7 @@ TEST(ConvergenceOrders, mortarBetweenLinearMeshesIsOfOrderTwo) {
     }
 }
 
-TEST(ConvergenceOrders, mortarOntoSplinesIsOfTheDegreePlusOne) {
+TEST(ConvergenceOrders, mortar_onto_splines_is_of_the_degree_plus_one) {
     // The source's own error, 6e-8, stays below what is measured.
     const CurveInterface from = verticalMesh(6000);
     const Eigen::VectorXd values = smooth(from.coordinates());

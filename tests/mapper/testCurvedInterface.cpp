@@ -94,7 +94,8 @@ double order(double coarse, double fine) {
 
 } // namespace
 
-TEST(CurvedInterface, theConservativeMapKeepsTheForceAndLosesMomentAndUniformityBySagittas) {
+TEST(CurvedInterface,
+     the_conservative_map_keeps_the_force_and_loses_moment_and_uniformity_by_sagittas) {
     const Loss coarse = ofConservative(24), fine = ofConservative(48);
     EXPECT_LT(fine.force, 1e-13);
     // Forces move from the chord onto the circle: by a mean of 2/3 of the sagitta h^2 / 8.
@@ -105,7 +106,8 @@ TEST(CurvedInterface, theConservativeMapKeepsTheForceAndLosesMomentAndUniformity
     EXPECT_GT(order(coarse.traction, fine.traction), 1.7);
 }
 
-TEST(CurvedInterface, theConsistentMapKeepsUniformTractionAndLosesForceByTheMissingArea) {
+TEST(CurvedInterface,
+     the_consistent_map_keeps_uniform_traction_and_loses_force_by_the_missing_area) {
     const Loss coarse = ofConsistent(24), fine = ofConsistent(48);
     EXPECT_LT(fine.traction, 1e-12);
     // The arc over its chord: h^2 / 24.

@@ -106,7 +106,7 @@ SurfaceMesh::Faces someInverted(int n) {
 
 } // namespace
 
-TEST(Extremes, aHundredFacesOnASideOfAKnotSpanAndTheOtherWayRound) {
+TEST(Extremes, a_hundred_faces_on_a_side_of_a_knot_span_and_the_other_way_round) {
     for (const auto& [splines, faces] :
          {std::pair(wholePlate(1, 1), mesh(100, 100)), {wholePlate(100, 50), mesh(1, 1)}}) {
         expectPatchTest(faces, splines, minimumNorm());
@@ -118,7 +118,7 @@ TEST(Extremes, aHundredFacesOnASideOfAKnotSpanAndTheOtherWayRound) {
     expectPatchTest(verticalMesh(200), verticalSpline(3, 2));
 }
 
-TEST(Extremes, cloudsOfAHundredTimesOtherSpacing) {
+TEST(Extremes, clouds_of_a_hundred_times_other_spacing) {
     const Points coarse = mesh(3, 3).coordinates(), fine = mesh(300, 30).coordinates();
     for (const auto& [from, to] : {std::pair(coarse, fine), {fine, coarse}}) {
         RbfOptions options;
@@ -130,7 +130,7 @@ TEST(Extremes, cloudsOfAHundredTimesOtherSpacing) {
     }
 }
 
-TEST(Extremes, anisotropyOfAThousand) {
+TEST(Extremes, anisotropy_of_a_thousand) {
     const SurfaceMesh faces = flatMesh(9, 7, FaceKind::quadrilaterals, ValuesAt::vertices, 1, 1e-3);
     expectPatchTest(faces, stripe(5, 4));
     expectPatchTest(stripe(5, 4), faces);
@@ -149,7 +149,7 @@ TEST(Extremes, anisotropyOfAThousand) {
     }
 }
 
-TEST(Extremes, scalePlaceAndDirectionDoNotMatterForMortarOntoAndFromPatches) {
+TEST(Extremes, scale_place_and_direction_do_not_matter_for_mortar_onto_and_from_patches) {
     expectPlaceDoesNotMatter([](const Placement& placed) -> Points {
         const SurfaceMesh faces = placed(7, 0);
         return MortarMapping(faces, placed(TrimmedPatch(plate(5, 4))))
@@ -168,7 +168,7 @@ TEST(Extremes, scalePlaceAndDirectionDoNotMatterForMortarOntoAndFromPatches) {
     });
 }
 
-TEST(Extremes, scalePlaceAndDirectionDoNotMatterForMortarBetweenPatches) {
+TEST(Extremes, scale_place_and_direction_do_not_matter_for_mortar_between_patches) {
     expectPlaceDoesNotMatter([](const Placement& placed) -> Points {
         const SurfaceInterface from = placed(TrimmedPatch(bentParameters(4, 4)));
         return MortarMapping(from, placed(TrimmedPatch(plate(5, 3))))
@@ -176,7 +176,7 @@ TEST(Extremes, scalePlaceAndDirectionDoNotMatterForMortarBetweenPatches) {
     });
 }
 
-TEST(Extremes, scalePlaceAndDirectionDoNotMatterForTrimmedEdges) {
+TEST(Extremes, scale_place_and_direction_do_not_matter_for_trimmed_edges) {
     const NurbsSurface surface = refine(geometry::rectangle(Point(-0.6, 0, 0), 2, 1), 2, 2, 2, 2);
     for (const SingularMass singular : {SingularMass::minimumNorm, SingularMass::gradientTerm}) {
         expectPlaceDoesNotMatter([&](const Placement& placed) -> Points {
@@ -200,7 +200,7 @@ TEST(Extremes, scalePlaceAndDirectionDoNotMatterForTrimmedEdges) {
     }
 }
 
-TEST(Extremes, scalePlaceAndDirectionDoNotMatterForNearestElementOfPatches) {
+TEST(Extremes, scale_place_and_direction_do_not_matter_for_nearest_element_of_patches) {
     const Points to = mesh(9, 6, 2).vertices().rowwise() + Eigen::RowVector3d(0.01, 0, 0.002);
     expectPlaceDoesNotMatter([&](const Placement& placed) -> Points {
         const SurfaceInterface splines = placed(holedPlate());
@@ -209,7 +209,7 @@ TEST(Extremes, scalePlaceAndDirectionDoNotMatterForNearestElementOfPatches) {
     });
 }
 
-TEST(Extremes, scalePlaceAndDirectionDoNotMatterForThePartitionOfUnity) {
+TEST(Extremes, scale_place_and_direction_do_not_matter_for_the_partition_of_unity) {
     expectPlaceDoesNotMatter([](const Placement& placed) -> Points {
         RbfOptions options;
         options.solution = RbfSolution::partitionOfUnity;
@@ -219,7 +219,7 @@ TEST(Extremes, scalePlaceAndDirectionDoNotMatterForThePartitionOfUnity) {
     });
 }
 
-TEST(Extremes, gapsAndOverlapsOfHalfAnElementKeepConstantsForcesAndThePlanesField) {
+TEST(Extremes, gaps_and_overlaps_of_half_an_element_keep_constants_forces_and_the_planes_field) {
     MortarOptions options;
     options.gapLimit.relative = 0.1;
     const SurfaceMesh flat = mesh(8, 8);
@@ -250,7 +250,7 @@ TEST(Extremes, gapsAndOverlapsOfHalfAnElementKeepConstantsForcesAndThePlanesFiel
     }
 }
 
-TEST(Extremes, aTrimLineOnAKnotLineAndNextToIt) {
+TEST(Extremes, a_trim_line_on_a_knot_line_and_next_to_it) {
     const SurfaceMesh faces = mesh(9, 7);
     for (const double beside : {0.0, 1e-12, -1e-12, 1e-8, -1e-8, 1e-4, -1e-4}) {
         const double trim = 0.5 + beside / 4; // of one of 4 elements
@@ -264,7 +264,7 @@ TEST(Extremes, aTrimLineOnAKnotLineAndNextToIt) {
     }
 }
 
-TEST(Extremes, aHoleSmallerThanAnElement) {
+TEST(Extremes, a_hole_smaller_than_an_element) {
     const double radius = 0.02, pi = std::acos(-1.0);
     const TrimmedPatch patch(
         plate(5, 4),
@@ -280,7 +280,7 @@ TEST(Extremes, aHoleSmallerThanAnElement) {
     EXPECT_NEAR(MortarMapping(faces, onePatch(patch)).massMatrix().sum(), area, 1e-5);
 }
 
-TEST(Extremes, invertedFacesMapAsTheOthers) {
+TEST(Extremes, inverted_faces_map_as_the_others) {
     const SurfaceMesh plain = flatMesh(6, 6, FaceKind::quadrilaterals, ValuesAt::vertices);
     const SurfaceMesh inverted(plain.vertices(), someInverted(6), ValuesAt::vertices);
     const SurfaceInterface splines = wholePlate(4, 3);
@@ -292,7 +292,7 @@ TEST(Extremes, invertedFacesMapAsTheOthers) {
     expectPatchTest(inverted, mesh(5, 4, 2));
 }
 
-TEST(Extremes, verticesThatFacesDoNotShareMapAsMergedOnes) {
+TEST(Extremes, vertices_that_faces_do_not_share_map_as_merged_ones) {
     // Every face with vertices of its own: coincident points all over.
     const SurfaceMesh merged = mesh(6, 5);
     Points vertices(3 * merged.nFaces(), 3);
@@ -313,7 +313,7 @@ TEST(Extremes, verticesThatFacesDoNotShareMapAsMergedOnes) {
     expectInputError([&] { RbfMapping(vertices, merged.coordinates()); }, {"coincides", "merge"});
 }
 
-TEST(Extremes, aLineElementWithoutLengthIsRefused) {
+TEST(Extremes, a_line_element_without_length_is_refused) {
     Points vertices(3, 3);
     vertices << 0, 0, 0, 1, 0, 0, 1, 0, 0;
     for (const ValuesAt valuesAt : {ValuesAt::vertices, ValuesAt::faces}) {

@@ -10,7 +10,7 @@
 
 namespace tokay::mapper {
 
-TEST(MappingReport, asJsonReadsBackToTheSameNumbers) {
+TEST(MappingReport, as_json_reads_back_to_the_same_numbers) {
     const SurfaceMesh from = flatMesh(6, 4, FaceKind::quadrilaterals, ValuesAt::faces);
     const SurfaceMesh to = flatMesh(3, 3, FaceKind::triangles, ValuesAt::vertices);
     const MappingReport report = MortarMapping(from, to).report();
@@ -33,7 +33,7 @@ TEST(MappingReport, asJsonReadsBackToTheSameNumbers) {
     EXPECT_GT(report.condition, 1);
 }
 
-TEST(MappingReport, asJsonSaysNullWhereANumberIsNotFinite) {
+TEST(MappingReport, as_json_says_null_where_a_number_is_not_finite) {
     MappingReport report;
     report.condition = std::numeric_limits<double>::infinity();
     report.method = "a \"quoted\"\\name\n";

@@ -88,7 +88,7 @@ class MapFiles : public testing::Test {
 
 } // namespace
 
-TEST_F(MapFiles, takesALinearFieldExactlyWithEveryOperatorButTheNearestNeighbour) {
+TEST_F(MapFiles, takes_a_linear_field_exactly_with_every_operator_but_the_nearest_neighbour) {
     for (const Operator kind : {Operator::nearestElement, Operator::rbf, Operator::mortar}) {
         options.mapping.kind = kind;
         mapFiles(options);
@@ -101,7 +101,7 @@ TEST_F(MapFiles, takesALinearFieldExactlyWithEveryOperatorButTheNearestNeighbour
     EXPECT_GT(largestLinearError(options.output, "p"), 0.01);
 }
 
-TEST_F(MapFiles, refusesAValueThatIsNotFiniteWithItsPlace) {
+TEST_F(MapFiles, refuses_a_value_that_is_not_finite_with_its_place) {
     Points vertices(4, 3);
     vertices << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0;
     const Eigen::Vector4d values(1, NAN, 2, 3);
@@ -112,7 +112,7 @@ TEST_F(MapFiles, refusesAValueThatIsNotFiniteWithItsPlace) {
     expectInputError([&] { mapFiles(options); }, {"values.txt", "row 3", "inf"});
 }
 
-TEST_F(MapFiles, mapsOntoATrimmedModelAndWritesItsTriangles) {
+TEST_F(MapFiles, maps_onto_a_trimmed_model_and_writes_its_triangles) {
     options.to = directory.file("plate.json");
     writeModel(options.to);
     options.degree = 2;
@@ -129,7 +129,7 @@ TEST_F(MapFiles, mapsOntoATrimmedModelAndWritesItsTriangles) {
     }
 }
 
-TEST_F(MapFiles, mapsFromASplineModelByAFormulaAndPrintsTheError) {
+TEST_F(MapFiles, maps_from_a_spline_model_by_a_formula_and_prints_the_error) {
     options.from = directory.file("plate.json");
     writeModel(options.from);
     options.field.clear();
@@ -148,7 +148,7 @@ TEST_F(MapFiles, mapsFromASplineModelByAFormulaAndPrintsTheError) {
     EXPECT_LT(YAML::LoadFile(options.report)["largestError"].as<double>(), 1e-11);
 }
 
-TEST_F(MapFiles, mapsBetweenModelsByMortar) {
+TEST_F(MapFiles, maps_between_models_by_mortar) {
     options.from = options.to = directory.file("plate.json");
     writeModel(options.from);
     options.field.clear();
@@ -178,7 +178,7 @@ void writeTrimmedPlate(const std::string& path, double x) {
 
 } // namespace
 
-TEST_F(MapFiles, mapsBetweenTrimmedEdgesWithTheSlopeAcrossThem) {
+TEST_F(MapFiles, maps_between_trimmed_edges_with_the_slope_across_them) {
     options.from = directory.file("left.json");
     options.to = directory.file("right.json");
     writeTrimmedPlate(options.from, 0.2);
@@ -200,7 +200,7 @@ TEST_F(MapFiles, mapsBetweenTrimmedEdgesWithTheSlopeAcrossThem) {
     EXPECT_GT(YAML::LoadFile(options.report)["largestError"].as<double>(), 0.1);
 }
 
-TEST_F(MapFiles, refusesEdgesThatAreNotThere) {
+TEST_F(MapFiles, refuses_edges_that_are_not_there) {
     options.edgesTo = {"plate.1"};
     expectInputError([&] { mapFiles(options); }, {"to.vtu", "only a spline model"});
     options.to = directory.file("right.json");
@@ -209,7 +209,7 @@ TEST_F(MapFiles, refusesEdgesThatAreNotThere) {
     expectInputError([&] { mapFiles(options); }, {"plate.7", "plate.3"});
 }
 
-TEST_F(MapFiles, mapsBetweenLinesButNotByMortarFromLinesToFaces) {
+TEST_F(MapFiles, maps_between_lines_but_not_by_mortar_from_lines_to_faces) {
     options.from = directory.write("a.obj", "v 0 0 0\nv 0.5 0 0\nv 1 0 0\nl 1 2 3\n");
     const std::string faces = options.to;
     options.to = directory.write("b.obj", "v 0 0 0\nv 0.3 0 0\nv 1 0 0\nl 1 2\nl 2 3\n");
@@ -231,7 +231,7 @@ TEST_F(MapFiles, mapsBetweenLinesButNotByMortarFromLinesToFaces) {
     expectInputError([&] { mapFiles(options); }, {"a.obj", "lines", "nearestElement"});
 }
 
-TEST_F(MapFiles, keepsTheSumOfForcesWhateverTheOperatorAndTheDestination) {
+TEST_F(MapFiles, keeps_the_sum_of_forces_whatever_the_operator_and_the_destination) {
     writeSquare(options.from, 7, ValuesAt::faces);
     writeModel(directory.file("plate.json"));
     const std::vector<double> forces = vtuArrays(options.from).at("p");
@@ -259,7 +259,7 @@ TEST_F(MapFiles, keepsTheSumOfForcesWhateverTheOperatorAndTheDestination) {
     }
 }
 
-TEST_F(MapFiles, writesAReportThatProgramsCanRead) {
+TEST_F(MapFiles, writes_a_report_that_programs_can_read) {
     options.mapping.kind = Operator::mortar;
     const std::string text = mapFiles(options);
     const YAML::Node report = YAML::LoadFile(options.report);
@@ -273,7 +273,7 @@ TEST_F(MapFiles, writesAReportThatProgramsCanRead) {
     EXPECT_NE(text.find("mass matrix 36 x 36, rank 36"), std::string::npos) << text;
 }
 
-TEST_F(MapFiles, saysThatMillimetresMeetMetres) {
+TEST_F(MapFiles, says_that_millimetres_meet_metres) {
     writeSquare(options.from, 7, ValuesAt::vertices, 1000);
     expectInputError([&] { mapFiles(options); },
                      {"factor of 1000", "mm", "--scale-from 0.001", "from.vtu", "to.vtu"});
@@ -282,7 +282,7 @@ TEST_F(MapFiles, saysThatMillimetresMeetMetres) {
     EXPECT_LT(largestLinearError(options.output, "p"), 1e-12);
 }
 
-TEST_F(MapFiles, takesValuesFromATable) {
+TEST_F(MapFiles, takes_values_from_a_table) {
     options.field.clear();
     std::string table = "# one a vertex, two components\n";
     for (int i = 0; i < 64; ++i) {
@@ -300,7 +300,7 @@ TEST_F(MapFiles, takesValuesFromATable) {
     expectInputError([&] { mapFiles(options); }, {"2 rows", "64"});
 }
 
-TEST_F(MapFiles, refusesWhatCannotBeMappedAndSaysWhatToDo) {
+TEST_F(MapFiles, refuses_what_cannot_be_mapped_and_says_what_to_do) {
     options.field = "pressure";
     expectInputError([&] { mapFiles(options); }, {"from.vtu", "'pressure'", "p ", "vertices"});
     options.field.clear();
@@ -319,7 +319,7 @@ TEST_F(MapFiles, refusesWhatCannotBeMappedAndSaysWhatToDo) {
     expectInputError([&] { mapFiles(options); }, {"a.stl", ".stl", ".vtu"});
 }
 
-TEST(FieldNamed, takesTheFieldOnFacesIfItIsAtVerticesToo) {
+TEST(FieldNamed, takes_the_field_on_faces_if_it_is_at_vertices_too) {
     const MeshFile mesh{Points::Zero(1, 3),
                         {},
                         false,
@@ -333,7 +333,7 @@ TEST(FieldNamed, takesTheFieldOnFacesIfItIsAtVerticesToo) {
                      {"a.vtp", "'q' at faces"});
 }
 
-TEST_F(MapFiles, listsTheFieldsOfAFile) {
+TEST_F(MapFiles, lists_the_fields_of_a_file) {
     EXPECT_EQ(listFields(readMesh(options.from)),
               "  p                        at vertices  1 component, -2 to 3\n");
 }

@@ -35,7 +35,7 @@ class Program : public testing::Test {
 
 } // namespace
 
-TEST_F(Program, mapsInOneLineAndPrintsTheReport) {
+TEST_F(Program, maps_in_one_line_and_prints_the_report) {
     EXPECT_EQ(run("a.obj b.obj --test-function 1+x+2*y --operator mortar --basis dual -o c.vtu"), 0)
         << output;
     EXPECT_NE(output.find("mapping: mortar, dual basis"), std::string::npos) << output;
@@ -45,7 +45,7 @@ TEST_F(Program, mapsInOneLineAndPrintsTheReport) {
     EXPECT_NE(output.find("1 to 4"), std::string::npos) << output;
 }
 
-TEST_F(Program, endsWithAMessageWhenTheInputIsWrong) {
+TEST_F(Program, ends_with_a_message_when_the_input_is_wrong) {
     EXPECT_EQ(run("a.obj missing.vtu --test-function x"), 1);
     EXPECT_NE(output.find("tokay-map: error: missing.vtu"), std::string::npos) << output;
     EXPECT_NE(run("a.obj b.obj --test-function x --operator nearest"), 0);

@@ -55,7 +55,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 
 } // namespace
 
-TEST(ReadVtk, readsEveryFormatWithEveryHeaderAndType) {
+TEST(ReadVtk, reads_every_format_with_every_header_and_type) {
     for (const Format format :
          {Format::ascii, Format::inlineBase64, Format::appendedRaw, Format::appendedBase64}) {
         for (const bool isCompressed : {false, true}) {
@@ -71,7 +71,7 @@ TEST(ReadVtk, readsEveryFormatWithEveryHeaderAndType) {
     }
 }
 
-TEST(ReadVtk, readsWhatTheOwnWriterWrites) {
+TEST(ReadVtk, reads_what_the_own_writer_writes) {
     const TemporaryDirectory directory;
     Points vertices(5, 3);
     vertices << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0.5, 1.0 / 3, 2;
@@ -84,7 +84,7 @@ TEST(ReadVtk, readsWhatTheOwnWriterWrites) {
     EXPECT_EQ(field(mesh, "f").values, values);
 }
 
-TEST(ReadVtk, readsPolyDataOfSeveralPieces) {
+TEST(ReadVtk, reads_poly_data_of_several_pieces) {
     VtkText text(VtkStyle{Format::inlineBase64, false, true, true});
     std::string pieces = "<Piece NumberOfPoints=\"0\" NumberOfPolys=\"0\"/>\n";
     for (const double shift : {0.0, 2.0}) {
@@ -103,7 +103,7 @@ TEST(ReadVtk, readsPolyDataOfSeveralPieces) {
     EXPECT_EQ(field(mesh, "p").values, Eigen::Vector2d(0, 2));
 }
 
-TEST(ReadVtk, readsLinesWhereThereIsNoFace) {
+TEST(ReadVtk, reads_lines_where_there_is_no_face) {
     VtkText text(VtkStyle{});
     const MeshFile mesh = read(text.file(
         "PolyData", "<Piece NumberOfPoints=\"3\" NumberOfLines=\"1\">\n<Points>\n" +
@@ -116,7 +116,7 @@ TEST(ReadVtk, readsLinesWhereThereIsNoFace) {
     EXPECT_EQ(field(mesh, "p").values, Eigen::Vector2d(7, 7)) << "both lines of the polyline";
 }
 
-TEST(ReadVtk, turnsTheVerticesOfAPixelIntoAQuadrilateral) {
+TEST(ReadVtk, turns_the_vertices_of_a_pixel_into_a_quadrilateral) {
     VtkText text(VtkStyle{});
     const MeshFile mesh = read(text.file(
         "UnstructuredGrid",
@@ -127,7 +127,7 @@ TEST(ReadVtk, turnsTheVerticesOfAPixelIntoAQuadrilateral) {
     EXPECT_EQ(mesh.cells, (std::vector<std::vector<int>>{{0, 1, 3, 2}}));
 }
 
-TEST(ReadVtk, refusesWhatItDoesNotSupportByName) {
+TEST(ReadVtk, refuses_what_it_does_not_support_by_name) {
     const std::string grid = exampleGrid({});
     expectRefused(replaced(grid, "LittleEndian", "BigEndian"), {"a.vtu", "BigEndian"});
     expectRefused(replaced(grid, "byte_order", "compressor=\"vtkLZ4DataCompressor\" byte_order"),
@@ -139,7 +139,7 @@ TEST(ReadVtk, refusesWhatItDoesNotSupportByName) {
     expectInputError([] { readVtk("/nowhere.vtu"); }, {"/nowhere.vtu", "cannot be opened"});
 }
 
-TEST(ReadVtk, refusesDamageWithTheArrayOrTheCell) {
+TEST(ReadVtk, refuses_damage_with_the_array_or_the_cell) {
     const std::string grid = exampleGrid({});
     expectRefused(replaced(grid, "0 1 2 0 1 0 2 3", "0 1 2 0 1 0 2 4"), {"cell 2", "point 4"});
     expectRefused(replaced(grid, " 10 30 20", " 10 30"), {"'q'", "2 numbers", "3"});
@@ -152,7 +152,7 @@ TEST(ReadVtk, refusesDamageWithTheArrayOrTheCell) {
     expectRefused(appended.substr(0, appended.find("<AppendedData") + 80), {"array"});
 }
 
-TEST(ReadVtk, refusesCountsThatTheFileCannotHold) {
+TEST(ReadVtk, refuses_counts_that_the_file_cannot_hold) {
     const std::string grid = exampleGrid({});
     const std::string count = "NumberOfPoints=\"4\"";
     for (const char* const n : {"900000000", "6148914691236517206", "18446744073709551615"}) {
@@ -171,7 +171,7 @@ TEST(ReadVtk, refusesCountsThatTheFileCannotHold) {
         {"NumberOfComponents", "9223372036854775808"});
 }
 
-TEST(ReadVtk, refusesDamagedCompressedData) {
+TEST(ReadVtk, refuses_damaged_compressed_data) {
     std::string grid = exampleGrid({Format::appendedRaw, true, true, false});
     // The first array: number of blocks, sizes (4 headers of 8 bytes), then its block.
     const std::size_t block = grid.find(" _") + 2 + 4 * 8;

@@ -63,29 +63,29 @@ void expectConversation(Listener& listener) {
     fluid.join();
 }
 
-TEST_F(ListenerTest, unixSocketConnectsFluidAndStructure) {
+TEST_F(ListenerTest, unix_socket_connects_fluid_and_structure) {
     Listener listener(unixAddress(), token);
     EXPECT_EQ(listener.address(), unixAddress());
     expectConversation(listener);
 }
 
-TEST_F(ListenerTest, tcpConnectsFluidAndStructureOnAFreePort) {
+TEST_F(ListenerTest, tcp_connects_fluid_and_structure_on_a_free_port) {
     Listener listener("tcp://localhost:0", token);
     EXPECT_THAT(listener.address(), StartsWith("tcp://"));
     expectConversation(listener);
 }
 
-TEST_F(ListenerTest, tcpWithoutAHostListensOnLoopbackOnly) {
+TEST_F(ListenerTest, tcp_without_a_host_listens_on_loopback_only) {
     const Listener listener("tcp://:0", token);
     EXPECT_THAT(listener.address(), StartsWith("tcp://127.0.0.1:"));
 }
 
-TEST_F(ListenerTest, tcpWithoutATokenIsRefused) {
+TEST_F(ListenerTest, tcp_without_a_token_is_refused) {
     EXPECT_THAT(errorOf<InputError>([] { Listener("tcp://localhost:0"); }),
                 HasSubstr("needs a token"));
 }
 
-TEST_F(ListenerTest, unixSocketIsForThisUserOnlyAndGoesWithTheListener) {
+TEST_F(ListenerTest, unix_socket_is_for_this_user_only_and_goes_with_the_listener) {
     {
         const Listener listener(unixAddress(), token);
         struct stat status;
@@ -95,7 +95,7 @@ TEST_F(ListenerTest, unixSocketIsForThisUserOnlyAndGoesWithTheListener) {
     EXPECT_FALSE(std::filesystem::exists(socketFile()));
 }
 
-TEST_F(ListenerTest, socketLeftByAKilledStructureIsReplaced) {
+TEST_F(ListenerTest, socket_left_by_a_killed_structure_is_replaced) {
     { // a bound socket that nobody listens to
         const int abandoned = socket(AF_UNIX, SOCK_STREAM, 0);
         sockaddr_un address{};
@@ -108,14 +108,14 @@ TEST_F(ListenerTest, socketLeftByAKilledStructureIsReplaced) {
     expectConversation(listener);
 }
 
-TEST_F(ListenerTest, socketInUseIsNotTakenAway) {
+TEST_F(ListenerTest, socket_in_use_is_not_taken_away) {
     Listener first(unixAddress(), token);
     EXPECT_THAT(errorOf<InputError>([&] { Listener second(unixAddress()); }),
                 HasSubstr("Cannot listen at"));
     expectConversation(first); // the attempt has not disturbed it
 }
 
-TEST_F(ListenerTest, fileOfTheUserIsNeverReplaced) {
+TEST_F(ListenerTest, file_of_the_user_is_never_replaced) {
     std::ofstream(socketFile()) << "precious";
     EXPECT_THROW(Listener{unixAddress()}, InputError);
     std::string text;
@@ -123,7 +123,7 @@ TEST_F(ListenerTest, fileOfTheUserIsNeverReplaced) {
     EXPECT_EQ(text, "precious");
 }
 
-TEST_F(ListenerTest, reportsThatNobodyAttaches) {
+TEST_F(ListenerTest, reports_that_nobody_attaches) {
     Listener listener(unixAddress(), token);
     int nReports = 0;
     listener.reportSilence(0.02, [&](const std::string& line) {
@@ -135,7 +135,7 @@ TEST_F(ListenerTest, reportsThatNobodyAttaches) {
     EXPECT_THROW(listener.accept(greeting(Role::structure)), SolverError);
 }
 
-TEST_F(ListenerTest, connectingToNobodySaysWhatToDo) {
+TEST_F(ListenerTest, connecting_to_nobody_says_what_to_do) {
     EXPECT_THAT(errorOf<PeerError>([this] { Channel::connect(unixAddress()); }),
                 HasSubstr("start the structure first"));
 }
@@ -204,14 +204,14 @@ class Strangers : public ListenerTest {
     std::future<Channel> accepted;
 };
 
-TEST_F(Strangers, whoConnectsAndClosesDoesNotEndTheWait) {
+TEST_F(Strangers, who_connects_and_closes_does_not_end_the_wait) {
     close(connectRaw());
     EXPECT_THAT(waitForRefusals(1).at(0),
                 AllOf(StartsWith("refused 127.0.0.1:"), HasSubstr("it ended the connection")));
     expectFluidIsAccepted();
 }
 
-TEST_F(Strangers, whoSpeaksHttpDoesNotEndTheWait) {
+TEST_F(Strangers, who_speaks_http_does_not_end_the_wait) {
     const int stranger = connectRaw();
     const std::string request = "GET / HTTP/1.1\r\nHost: localhost\r\n\r\n";
     EXPECT_EQ(write(stranger, request.data(), request.size()),
@@ -221,7 +221,7 @@ TEST_F(Strangers, whoSpeaksHttpDoesNotEndTheWait) {
     close(stranger);
 }
 
-TEST_F(Strangers, whoHasAWrongTokenIsToldAndDoesNotEndTheWait) {
+TEST_F(Strangers, who_has_a_wrong_token_is_told_and_does_not_end_the_wait) {
     Channel stranger = Channel::connect(address);
     EXPECT_THAT(errorOf<PeerFailure>([&] { shakeHands(stranger, greeting(Role::fluid), "guess"); }),
                 HasSubstr("the fluid gave a wrong token: give both sides the same secret"));
@@ -229,7 +229,7 @@ TEST_F(Strangers, whoHasAWrongTokenIsToldAndDoesNotEndTheWait) {
     expectFluidIsAccepted();
 }
 
-TEST_F(Strangers, whoSpeaksAnotherVersionIsToldBoth) {
+TEST_F(Strangers, who_speaks_another_version_is_told_both) {
     Channel stranger = Channel::connect(address);
     Hello newer = greeting(Role::fluid);
     newer.protocol = 42;
@@ -238,7 +238,7 @@ TEST_F(Strangers, whoSpeaksAnotherVersionIsToldBoth) {
     expectFluidIsAccepted();
 }
 
-TEST_F(Strangers, cannotWriteIntoTheLog) {
+TEST_F(Strangers, cannot_write_into_the_log) {
     Channel stranger = Channel::connect(address);
     stranger.send(Failure{"\x1b[2J\nstep 1 time 0.1 s" + std::string(1000, 'x')});
     const std::string line = waitForRefusals(1).at(0);
@@ -247,7 +247,7 @@ TEST_F(Strangers, cannotWriteIntoTheLog) {
     expectFluidIsAccepted();
 }
 
-TEST_F(Strangers, aHundredSilentOnesDoNotHoldUpTheFluid) {
+TEST_F(Strangers, a_hundred_silent_ones_do_not_hold_up_the_fluid) {
     std::vector<int> strangers;
     for (int i = 0; i < 100; ++i) {
         strangers.push_back(connectRaw());
@@ -258,7 +258,7 @@ TEST_F(Strangers, aHundredSilentOnesDoNotHoldUpTheFluid) {
     }
 }
 
-TEST_F(Strangers, aHundredThatComeAndGoAreReportedOnceInAWhile) {
+TEST_F(Strangers, a_hundred_that_come_and_go_are_reported_once_in_a_while) {
     for (int i = 0; i < 100; ++i) {
         close(connectRaw());
     }
@@ -272,7 +272,7 @@ class ImpatientListener : public Strangers {
     ImpatientListener() : Strangers({0.2, 3}) {}
 };
 
-TEST_F(ImpatientListener, dismissesWhoIsSilentForTooLong) {
+TEST_F(ImpatientListener, dismisses_who_is_silent_for_too_long) {
     const int stranger = connectRaw();
     EXPECT_THAT(waitForRefusals(1).at(0), HasSubstr("no handshake within 0.2 s"));
     char byte;
@@ -286,7 +286,7 @@ class CrowdedListener : public Strangers {
     CrowdedListener() : Strangers({10, 3}) {}
 };
 
-TEST_F(CrowdedListener, dismissesTheOldestWhenThereAreTooMany) {
+TEST_F(CrowdedListener, dismisses_the_oldest_when_there_are_too_many) {
     std::vector<int> strangers;
     for (int i = 0; i < 4; ++i) {
         strangers.push_back(connectRaw());
@@ -298,7 +298,7 @@ TEST_F(CrowdedListener, dismissesTheOldestWhenThereAreTooMany) {
     }
 }
 
-TEST(Token, isTheFirstLineOfAFileForItsOwnerAlone) {
+TEST(Token, is_the_first_line_of_a_file_for_its_owner_alone) {
     const TemporaryDirectory directory;
     const std::string name = directory.write("token", "  open sesame \r\nmore\n");
     chmod(name.c_str(), 0600);
@@ -312,7 +312,7 @@ TEST(Token, isTheFirstLineOfAFileForItsOwnerAlone) {
     EXPECT_THAT(errorOf<InputError>([&] { readToken(name); }), HasSubstr("cannot be read"));
 }
 
-TEST(Address, malformedOnesAreRefusedNamingTheFormsAllowed) {
+TEST(Address, malformed_ones_are_refused_naming_the_forms_allowed) {
     for (const char* text : {"", "localhost:5000", "http://localhost:5000", "tcp://localhost",
                              "tcp://localhost:", "tcp://localhost:70000", "tcp://localhost:-1",
                              "tcp://::1:5000", "unix:"}) {

@@ -39,7 +39,7 @@ Errors errorsOfHandshake(const Hello& fluid, const Hello& structure,
     return {error, other.get()};
 }
 
-TEST(ShakeHands, introducesBothSides) {
+TEST(ShakeHands, introduces_both_sides) {
     auto [fluid, structure] = connectedPair();
     auto other = std::async(std::launch::async,
                             [&end = structure] { return shakeHands(end, structureHello, token); });
@@ -51,7 +51,7 @@ TEST(ShakeHands, introducesBothSides) {
     EXPECT_EQ(structure.peer(), "the fluid");
 }
 
-TEST(ShakeHands, aMovedStructureHasTheFluidsPart) {
+TEST(ShakeHands, a_moved_structure_has_the_fluids_part) {
     const Hello moved{protocolVersion, Role::movedStructure, "igaStructure", ""};
     auto [leading, structure] = connectedPair();
     auto other = std::async(std::launch::async,
@@ -65,7 +65,7 @@ TEST(ShakeHands, aMovedStructureHasTheFluidsPart) {
                 HasSubstr("connect each to a structure that is loaded"));
 }
 
-TEST(ShakeHands, wrongTokenIsToldToBothSidesAndNotShown) {
+TEST(ShakeHands, wrong_token_is_told_to_both_sides_and_not_shown) {
     for (const char* given : {"", "pa55word!", "pa55wor", "Pa55word", "pa55wordpa55word"}) {
         const Errors errors = errorsOfHandshake(fluidHello, structureHello, given);
         EXPECT_THAT(errors.structure, HasSubstr("the fluid gave a wrong token")) << given;
@@ -73,7 +73,7 @@ TEST(ShakeHands, wrongTokenIsToldToBothSidesAndNotShown) {
     }
 }
 
-TEST(ShakeHands, structureWithAWrongTokenIsRefusedToo) {
+TEST(ShakeHands, structure_with_a_wrong_token_is_refused_too) {
     EXPECT_THAT(errorsOfHandshake(fluidHello, structureHello, token, "").structure,
                 HasSubstr("wrong token"));
 }
@@ -92,14 +92,14 @@ std::vector<Message> conversation() {
     return messages;
 }
 
-TEST(ShakeHands, tokenIsNeverSent) {
+TEST(ShakeHands, token_is_never_sent) {
     for (const Message& message : conversation()) {
         const Bytes frame = encodeFrame(message);
         EXPECT_THAT(std::string(frame.begin(), frame.end()), Not(HasSubstr(token)));
     }
 }
 
-TEST(ShakeHands, everyHandshakeHasOtherNoncesAndProofs) {
+TEST(ShakeHands, every_handshake_has_other_nonces_and_proofs) {
     const std::vector<Message> one = conversation();
     const std::vector<Message> other = conversation();
     for (std::size_t i = 0; i < one.size(); ++i) {
@@ -107,7 +107,7 @@ TEST(ShakeHands, everyHandshakeHasOtherNoncesAndProofs) {
     }
 }
 
-TEST(ShakeHands, whatWasHeardInAnEarlierHandshakeOpensNone) {
+TEST(ShakeHands, what_was_heard_in_an_earlier_handshake_opens_none) {
     const std::vector<Message> heard = conversation();
     Handshake structure(structureHello, token);
     structure.answer(heard[0]);
@@ -119,7 +119,7 @@ TEST(ShakeHands, whatWasHeardInAnEarlierHandshakeOpensNone) {
                 HasSubstr("the structure gave a wrong token"));
 }
 
-TEST(ShakeHands, fluidBelievesNoStructureThatDoesNotKnowTheToken) {
+TEST(ShakeHands, fluid_believes_no_structure_that_does_not_know_the_token) {
     Handshake fluid(fluidHello, token);
     const auto greeting = std::get<Hello>(*fluid.begin());
     const auto proof = std::get<Proof>(*fluid.answer(structureHello));
@@ -132,7 +132,7 @@ TEST(ShakeHands, fluidBelievesNoStructureThatDoesNotKnowTheToken) {
     EXPECT_TRUE(fluid.isComplete());
 }
 
-TEST(ShakeHands, strangerSeesNothingThatTheTokenHasTouched) {
+TEST(ShakeHands, stranger_sees_nothing_that_the_token_has_touched) {
     auto [stranger, structure] = connectedPair();
     auto other = std::async(std::launch::async, [&end = structure] {
         return errorOf<PeerError>([&] { shakeHands(end, structureHello, token); });
@@ -144,7 +144,7 @@ TEST(ShakeHands, strangerSeesNothingThatTheTokenHasTouched) {
     EXPECT_THAT(other.get(), HasSubstr("wrong token"));
 }
 
-TEST(HmacSha256, isThatOfRfc4231) {
+TEST(HmacSha256, is_that_of_rfc4231) {
     const auto hex = [](const std::array<std::uint8_t, 32>& digest) {
         std::string text;
         for (const std::uint8_t byte : digest) {
@@ -161,7 +161,7 @@ TEST(HmacSha256, isThatOfRfc4231) {
               "5bdcc146bf60754e6a042426089575c75a003f089d2739839dec58b964ec3843");
 }
 
-TEST(ShakeHands, otherProtocolVersionIsToldToBothSidesNamingBoth) {
+TEST(ShakeHands, other_protocol_version_is_told_to_both_sides_naming_both) {
     Hello newer = fluidHello;
     newer.protocol = 42;
     const Errors errors = errorsOfHandshake(newer, structureHello);
@@ -169,12 +169,12 @@ TEST(ShakeHands, otherProtocolVersionIsToldToBothSidesNamingBoth) {
     EXPECT_THAT(errors.fluid, AllOf(HasSubstr("version 42"), HasSubstr("version 3")));
 }
 
-TEST(ShakeHands, twoFluidsAreRefused) {
+TEST(ShakeHands, two_fluids_are_refused) {
     const Errors errors = errorsOfHandshake(fluidHello, fluidHello);
     EXPECT_THAT(errors.fluid + errors.structure, HasSubstr("both sides are the fluid"));
 }
 
-TEST(ShakeHands, anotherMessageThanAGreetingIsRefused) {
+TEST(ShakeHands, another_message_than_a_greeting_is_refused) {
     auto [stranger, structure] = connectedPair();
     stranger.send(BeginStep{1, 0.1, 0.1});
     EXPECT_THAT(errorOf<PeerError>([&end = structure] { shakeHands(end, structureHello); }),

@@ -7,7 +7,7 @@
 
 namespace tokay::geometry {
 
-TEST(BezierPatch, hasTheDerivativesOfTheSurface) {
+TEST(BezierPatch, has_the_derivatives_of_the_surface) {
     const NurbsSurface rational = sampleSurface();
     const NurbsSurface polynomial(rational.u(), rational.v(), rational.controlPoints());
     for (const NurbsSurface& surface : {rational, polynomial}) {
@@ -30,7 +30,7 @@ TEST(BezierPatch, hasTheDerivativesOfTheSurface) {
     }
 }
 
-TEST(BezierPatch, linearPatchesHaveNoSecondDerivative) {
+TEST(BezierPatch, linear_patches_have_no_second_derivative) {
     Points points(4, 3);
     points << 0, 0, 0, 1, 0, 0, 0, 2, 0, 1.5, 2, 1;
     const BezierPatch patch(

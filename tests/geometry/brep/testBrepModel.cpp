@@ -22,7 +22,7 @@ int countShared(const BrepModel& model) {
 
 } // namespace
 
-TEST(BrepModel, findsTheEdgesThatFacesShare) {
+TEST(BrepModel, finds_the_edges_that_faces_share) {
     const BrepModel model = twoSquares();
     ASSERT_EQ(countShared(model), 1);
     EXPECT_EQ(model.edges().size(), 3u + 1 + 1 + 3); // free, hole, shared, free
@@ -37,21 +37,21 @@ TEST(BrepModel, findsTheEdgesThatFacesShare) {
     EXPECT_EQ(countShared(halfCylinders()), 2);
 }
 
-TEST(BrepModel, seamAndPolesOfASphereAreOneEdge) {
+TEST(BrepModel, seam_and_poles_of_a_sphere_are_one_edge) {
     const std::vector<BrepFace> faces = {{TrimmedPatch(sphere(Point::Zero(), 1), "ball")}};
     const std::vector<BrepEdge> edges = coincidentEdges(faces, 1e-9);
     ASSERT_EQ(edges.size(), 1u);
     EXPECT_EQ(edges[0].trims.size(), 2u);
 }
 
-TEST(BrepModel, namesAreFoundAndListed) {
+TEST(BrepModel, names_are_found_and_listed) {
     const BrepModel model = twoSquares();
     EXPECT_EQ(model.faceNumber("right"), 1);
     expectInputError([&] { model.faceNumber("wrong"); }, {"face \"wrong\"", "left, right"});
     expectInputError([&] { model.edgeNumber("left.7"); }, {"left.7", "left.1-right.3"});
 }
 
-TEST(BrepModel, refusesContradictions) {
+TEST(BrepModel, refuses_contradictions) {
     const BrepFace face{TrimmedPatch(rectangle(Point::Zero(), 1, 1), "a")};
     expectInputError([] { BrepModel({}); }, {"no face"});
     expectInputError([&] { BrepModel({face, face}); }, {"two faces", "\"a\""});
@@ -64,7 +64,7 @@ TEST(BrepModel, refusesContradictions) {
         {"two edges", "\"e\""});
 }
 
-TEST(BrepModel, refinementChangesTheBasisOfEveryFaceOnly) {
+TEST(BrepModel, refinement_changes_the_basis_of_every_face_only) {
     const BrepModel fine = twoSquares().refined(2, 2, 4, 4);
     EXPECT_EQ(fine.patch(0).nElements(), 16);
     EXPECT_EQ(fine.patch(1).basis().u().degree(), 2);

@@ -131,7 +131,7 @@ void expectRefused(const std::string& old, const std::string& fresh,
 
 } // namespace
 
-TEST(CadJson, readsFacesLoopsAndEdges) {
+TEST(CadJson, reads_faces_loops_and_edges) {
     const BrepModel read = readCadJson(written("twoPlates", twoPlates()));
     EXPECT_TRUE(read.remarks().empty());
     EXPECT_EQ(read.tolerance(), 0.001);
@@ -144,7 +144,7 @@ TEST(CadJson, readsFacesLoopsAndEdges) {
     EXPECT_FALSE(edge.trims[1].isForward);
 }
 
-TEST(CadJson, whatIsWrittenIsReadToTheBit) {
+TEST(CadJson, what_is_written_is_read_to_the_bit) {
     const double pi = std::acos(-1.0);
     std::vector<BrepFace> faces = twoSquares().faces();
     faces.push_back({TrimmedPatch(cylinderPatch(Point(0.1, 0.2, 1.0 / 3), 0.7, 2, 0, 2 * pi),
@@ -163,7 +163,7 @@ TEST(CadJson, whatIsWrittenIsReadToTheBit) {
     EXPECT_EQ(contents(pathOf("first")), contents(pathOf("second")));
 }
 
-TEST(CadJson, curveDirectionAndActiveRangeAreFollowed) {
+TEST(CadJson, curve_direction_and_active_range_are_followed) {
     // The bottom curve is given backwards and longer than it is used.
     const std::string bottom = straight(0, "6", "0, 0", "6, 0");
     std::string turned = straight(0, "6", "6, 0", "-6, 0");
@@ -174,7 +174,7 @@ TEST(CadJson, curveDirectionAndActiveRangeAreFollowed) {
     EXPECT_EQ(read.curve(0, 0).point(0), Point(0, 0, 0));
 }
 
-TEST(CadJson, periodicAndShortenedKnotVectorsAreRead) {
+TEST(CadJson, periodic_and_shortened_knot_vectors_are_read) {
     const std::string shortened =
         replaced(replaced(twoPlates(), "[0, 0, 6, 6], [0, 0, 4, 4]", "[0, 6], [0, 4]"),
                  "\"knot_vector\": [0, 0, 6, 6]", "\"knot_vector\": [0, 6]");
@@ -185,7 +185,7 @@ TEST(CadJson, periodicAndShortenedKnotVectorsAreRead) {
     EXPECT_NEAR(modelArea(readCadJson(written("unclamped", unclamped))), 48, 1e-13);
 }
 
-TEST(CadJson, aPeriodicSurfaceIsReadClosedAndSmooth) {
+TEST(CadJson, a_periodic_surface_is_read_closed_and_smooth) {
     // As CAD programs write a tube: control points repeat, outer knots are left out.
     const int n = 10;
     std::string points;
@@ -218,7 +218,7 @@ TEST(CadJson, aPeriodicSurfaceIsReadClosedAndSmooth) {
         1e-6); // the text has 6 decimals
 }
 
-TEST(CadJson, contradictingDirectionsAndUnusedVerticesAreRemarked) {
+TEST(CadJson, contradicting_directions_and_unused_vertices_are_remarked) {
     std::string text =
         replaced(twoPlates(), "\"relative_direction\": false", "\"relative_direction\": true");
     text = replaced(text, "\"vertices\": []", "\"vertices\": [{\"brep_id\": 9}]");
@@ -230,7 +230,7 @@ TEST(CadJson, contradictingDirectionsAndUnusedVerticesAreRemarked) {
     EXPECT_EQ(withCoincidentEdges(read, 1e-9).remarks(), read.remarks());
 }
 
-TEST(CadJson, malformedFilesAreRefusedWithLineAndKey) {
+TEST(CadJson, malformed_files_are_refused_with_line_and_key) {
     expectInputError([] { readCadJson("nowhere.cad.json"); }, {"nowhere.cad.json", "opened"});
     expectRefused("\"vertices\": []}]}", "\"vertices\": [}", {"not JSON"});
     expectRefused("\"breps\"", "\"brep\"", {"'breps' is missing"});
@@ -262,7 +262,7 @@ TEST(CadJson, malformedFilesAreRefusedWithLineAndKey) {
                   {"boundary_loops[0]", "open", "(5, 0)"});
 }
 
-TEST(CadJson, aHoleWhoseControlPointIsOffByRoundingIsRead) {
+TEST(CadJson, a_hole_whose_control_point_is_off_by_rounding_is_read) {
     // Two half circles, of which one leaves its joint 3e-12 of 100 beside the tangent.
     const auto half = [](double sign, double off) {
         Points points(5, 3);
@@ -279,7 +279,7 @@ TEST(CadJson, aHoleWhoseControlPointIsOffByRoundingIsRead) {
     }
 }
 
-TEST(CadJson, loopsThatMissByTheToleranceAreClosedAndTheCorrectionIsRemarked) {
+TEST(CadJson, loops_that_miss_by_the_tolerance_are_closed_and_the_correction_is_remarked) {
     // A gap of 2e-6 at a corner, and an end 1e-8 beyond the rim.
     for (const auto& [moved, distance] :
          {std::pair("6, 4.000002", "2e-06"), std::pair("6, 3.999998", "2e-06"),
@@ -294,7 +294,7 @@ TEST(CadJson, loopsThatMissByTheToleranceAreClosedAndTheCorrectionIsRemarked) {
     }
 }
 
-TEST(CadJson, theToleranceIsTheCallersElseTheFilesElseAMillionthOfTheSize) {
+TEST(CadJson, the_tolerance_is_the_callers_else_the_files_else_a_millionth_of_the_size) {
     const auto withGap = [](const std::string& gap) {
         return replaced(twoPlates(), straight(1, "4", "6, 0", "6, 4"),
                         straight(1, "4", "6, 0", ("6, 3." + gap).c_str()));
@@ -311,7 +311,7 @@ TEST(CadJson, theToleranceIsTheCallersElseTheFilesElseAMillionthOfTheSize) {
     expectRefused("0.001", "-0.001", {"model_tolerance", "-0.001", "[0, inf)"});
 }
 
-TEST(CadJson, theCurveAlongACollapsedSideMayBeLeftOut) {
+TEST(CadJson, the_curve_along_a_collapsed_side_may_be_left_out) {
     // A triangle: the top side of its surface is one point.
     const std::string text =
         "{\"breps\": [{\"faces\": [{\"brep_id\": 1, \"surface\": {\"degrees\": [1, 1], "
@@ -333,7 +333,7 @@ TEST(CadJson, theCurveAlongACollapsedSideMayBeLeftOut) {
         {"open"});
 }
 
-TEST(CadJson, aSwappedNormalTurnsTheSurfaceAndKeepsEdgesAndPoints) {
+TEST(CadJson, a_swapped_normal_turns_the_surface_and_keeps_edges_and_points) {
     const BrepModel plain = readCadJson(written("plain", twoPlates()));
     const std::string swapped = replaced(twoPlates(), "\"swapped_surface_normal\": false",
                                          "\"swapped_surface_normal\": true");
@@ -352,7 +352,7 @@ TEST(CadJson, aSwappedNormalTurnsTheSurfaceAndKeepsEdgesAndPoints) {
     EXPECT_EQ(read.remarks().size(), 1u) << "no direction contradicts the curves";
 }
 
-TEST(CadJson, aCurveThatNothingUsesStopsNoFile) {
+TEST(CadJson, a_curve_that_nothing_uses_stops_no_file) {
     const std::string broken =
         replaced(straight(9, "6", "0, 0", "6, 0"), "\"degree\": 1", "\"degree\": 7");
     const std::string text =
@@ -367,7 +367,7 @@ TEST(CadJson, aCurveThatNothingUsesStopsNoFile) {
                      {"embedded_edges[0]", "degree 7"});
 }
 
-TEST(CadJson, curvesAndSurfacesOfDegree24AreRead) {
+TEST(CadJson, curves_and_surfaces_of_degree24_are_read) {
     Points points = Points::Zero(25, 3);
     points.col(0) = Eigen::VectorXd::LinSpaced(25, 0, 1);
     const NurbsCurve bottom(KnotVector::uniform(24, 1), points);
@@ -379,7 +379,7 @@ TEST(CadJson, curvesAndSurfacesOfDegree24AreRead) {
     expectSame(model, readCadJson(pathOf("degree24")));
 }
 
-TEST(CadJson, knotsAndCoordinatesBeyondDoublePrecisionAreRefused) {
+TEST(CadJson, knots_and_coordinates_beyond_double_precision_are_refused) {
     expectRefused("[0, 0, 6, 6], [0, 0, 4, 4]", "[0, 0, 1e-320, 1e-320], [0, 0, 4, 4]",
                   {"knot_vectors[0]", "too short"});
     expectRefused("[0, 0, 6, 6], [0, 0, 4, 4]", "[-1e308, -1e308, 1e308, 1e308], [0, 0, 4, 4]",

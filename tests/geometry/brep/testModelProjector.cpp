@@ -31,7 +31,7 @@ BrepModel roof() {
 
 } // namespace
 
-TEST(ModelProjector, findsTheFootOfPointsAboveEveryFace) {
+TEST(ModelProjector, finds_the_foot_of_points_above_every_face) {
     const BrepModel model = twoSquares(0.1);
     const ModelProjector projector(model);
     for (int face = 0; face < 2; ++face) {
@@ -52,7 +52,7 @@ TEST(ModelProjector, findsTheFootOfPointsAboveEveryFace) {
     }
 }
 
-TEST(ModelProjector, pointsOverAHoleGetItsRim) {
+TEST(ModelProjector, points_over_a_hole_get_its_rim) {
     const BrepModel model = twoSquares(); // a hole of radius 0.25 at (0.5, 0.5)
     const ModelProjector projector(model);
     for (const double radius : {0.01, 0.1, 0.2, 0.2499999}) {
@@ -76,7 +76,7 @@ TEST(ModelProjector, pointsOverAHoleGetItsRim) {
     EXPECT_NEAR(beyond.distance, 5, 1e-14);
 }
 
-TEST(ModelProjector, aPlaceBehindWhatIsTrimmedAwayIsFound) {
+TEST(ModelProjector, a_place_behind_what_is_trimmed_away_is_found) {
     // The nearest half of a sphere is trimmed away: its rim or the far half counts.
     const TrimmedPatch north(sphere(Point::Zero(), 1),
                              {polygonLoop(LoopKind::outer, {{0, 0.5}, {1, 0.5}, {1, 1}, {0, 1}})},
@@ -95,7 +95,7 @@ TEST(ModelProjector, aPlaceBehindWhatIsTrimmedAwayIsFound) {
     }
 }
 
-TEST(ModelProjector, neverMissesANearerPlaceOfATrimmedSurface) {
+TEST(ModelProjector, never_misses_a_nearer_place_of_a_trimmed_surface) {
     const TrimmedPatch patch(sampleSurface(), {circleLoop(LoopKind::outer, {0.5, 0.5}, 0.45),
                                                circleLoop(LoopKind::inner, {0.4, 0.5}, 0.2)});
     const PatchProjector projector(patch);
@@ -126,7 +126,7 @@ TEST(ModelProjector, neverMissesANearerPlaceOfATrimmedSurface) {
     }
 }
 
-TEST(ModelProjector, facesThatMeetAreOnePlaceAndFacesThatDoNotAreTwo) {
+TEST(ModelProjector, faces_that_meet_are_one_place_and_faces_that_do_not_are_two) {
     const BrepModel model = halfCylinders();
     const ModelProjector projector(model);
     for (const double angle : {0.0, pi, 0.3, 1e-9, -1e-9}) {
@@ -149,7 +149,7 @@ TEST(ModelProjector, facesThatMeetAreOnePlaceAndFacesThatDoNotAreTwo) {
     EXPECT_EQ(upper.face, 1);
 }
 
-TEST(ModelProjector, pointsBeyondARidgeGetTheRidge) {
+TEST(ModelProjector, points_beyond_a_ridge_get_the_ridge) {
     const BrepModel model = roof();
     const ModelProjector projector(model);
     for (const double y : {-0.3, 0.0, 0.2}) {
@@ -164,7 +164,7 @@ TEST(ModelProjector, pointsBeyondARidgeGetTheRidge) {
     EXPECT_FALSE(projector.closest(Point(1.2, 0.01, 0.6)).ambiguous);
 }
 
-TEST(ModelProjector, wholeMeshesAreProjectedToRounding) {
+TEST(ModelProjector, whole_meshes_are_projected_to_rounding) {
     const BrepModel model({{TrimmedPatch(sphere(Point(1, 2, 3), 2), "ball")}});
     const NurbsSurface& surface = model.patch(0).surface();
     const int n = 40;
@@ -192,7 +192,7 @@ TEST(ModelProjector, wholeMeshesAreProjectedToRounding) {
     EXPECT_EQ(found[all.farthestPoint].distance, all.largestDistance);
 }
 
-TEST(ModelProjector, scaleAndPositionDoNotMatter) {
+TEST(ModelProjector, scale_and_position_do_not_matter) {
     for (const double scale : {1e-6, 1e6}) {
         for (const double offset : {0.0, 1e6}) {
             const Point shift = scale * offset * Point(1, -1, 0.5);

@@ -39,7 +39,7 @@ double area(const PatchTriangles& mesh) {
 
 } // namespace
 
-TEST(Chords, leaveCurvesByNoMoreThanTheTolerance) {
+TEST(Chords, leave_curves_by_no_more_than_the_tolerance) {
     const NurbsCurve curve = sampleCurve();
     std::size_t before = 0;
     for (const double tolerance : {1e-1, 1e-3, 1e-5}) {
@@ -61,7 +61,7 @@ TEST(Chords, leaveCurvesByNoMoreThanTheTolerance) {
     }
 }
 
-TEST(PatchTriangles, ofACylinderStayWithinTheTolerance) {
+TEST(PatchTriangles, of_a_cylinder_stay_within_the_tolerance) {
     const TrimmedPatch cylinder(cylinderPatch(Point::Zero(), 1, 2, 0, 2 * pi));
     for (const double tolerance : {1e-2, 1e-4}) {
         const PatchTriangles mesh = patchTriangles(cylinder, tolerance);
@@ -76,7 +76,7 @@ TEST(PatchTriangles, ofACylinderStayWithinTheTolerance) {
     }
 }
 
-TEST(PatchTriangles, ofATrimmedPatchCoverItWithoutCracksInside) {
+TEST(PatchTriangles, of_a_trimmed_patch_cover_it_without_cracks_inside) {
     const TrimmedPatch patch(square(5), {circleLoop(LoopKind::outer, {0.5, 0.5}, 0.45),
                                          circleLoop(LoopKind::inner, {0.55, 0.45}, 0.2)});
     const double tolerance = 1e-4;
@@ -102,11 +102,11 @@ TEST(PatchTriangles, ofATrimmedPatchCoverItWithoutCracksInside) {
     }
 }
 
-TEST(PatchTriangles, refuseAToleranceThatIsNotPositive) {
+TEST(PatchTriangles, refuse_a_tolerance_that_is_not_positive) {
     expectInputError([] { patchTriangles(TrimmedPatch(square(1)), 0); }, {"chord tolerance", "0"});
 }
 
-TEST(ModelVtu, listsEveryCellAndNamesEveryFace) {
+TEST(ModelVtu, lists_every_cell_and_names_every_face) {
     const BrepModel model = twoSquares();
     const std::string path = testing::TempDir() + "tokayModel.vtu";
     writeModelVtu(model, path);
@@ -130,7 +130,7 @@ TEST(ModelVtu, listsEveryCellAndNamesEveryFace) {
         << "left and right, each ended by a zero";
 }
 
-TEST(ModelVtu, saysWhenTheFileCannotBeWritten) {
+TEST(ModelVtu, says_when_the_file_cannot_be_written) {
     const std::string path = "/dev/null/model.vtu";
     try {
         writeModelVtu(twoSquares(), path);

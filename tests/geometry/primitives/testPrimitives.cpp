@@ -14,7 +14,7 @@ namespace {
 const double pi = std::acos(-1.0);
 }
 
-TEST(Primitives, arcsOfAnyAngleAreExactCircles) {
+TEST(Primitives, arcs_of_any_angle_are_exact_circles) {
     const Point centre(3, -2, 0.5);
     for (const double angle : {0.1, pi / 2, 2.0, pi, 5.0, 2 * pi}) {
         const NurbsCurve curve = arc(centre, 0.7, 0.4, 0.4 + angle);
@@ -28,7 +28,7 @@ TEST(Primitives, arcsOfAnyAngleAreExactCircles) {
     }
 }
 
-TEST(Primitives, aRefinedFullCircleStaysExactAndClosed) {
+TEST(Primitives, a_refined_full_circle_stays_exact_and_closed) {
     const NurbsCurve circle = refine(arc(Point::Zero(), 1, 0, 2 * pi), 4, 7);
     EXPECT_EQ(circle.point(0), circle.point(1));
     for (const double xi : sampleParameters(201)) {
@@ -36,7 +36,7 @@ TEST(Primitives, aRefinedFullCircleStaysExactAndClosed) {
     }
 }
 
-TEST(Primitives, rectangleEdgesAreWhereOneSeesThem) {
+TEST(Primitives, rectangle_edges_are_where_one_sees_them) {
     const NurbsSurface surface = rectangle(Point(1, 2, 0), 3, 4);
     const auto middle = [&](Edge edge) { return surface.boundaryCurve(edge).curve.point(0.5); };
     EXPECT_EQ(middle(Edge::left), Point(1, 4, 0));
@@ -45,7 +45,7 @@ TEST(Primitives, rectangleEdgesAreWhereOneSeesThem) {
     EXPECT_EQ(middle(Edge::top), Point(2.5, 6, 0));
 }
 
-TEST(Primitives, ringSectorLiesBetweenItsRadii) {
+TEST(Primitives, ring_sector_lies_between_its_radii) {
     const NurbsSurface ring = ringSector(Point(1, 1, 0), 0.95, 1.05, 0, 2 * pi);
     for (const double xi : sampleParameters(5)) {
         for (const double eta : sampleParameters(33)) {
@@ -56,7 +56,7 @@ TEST(Primitives, ringSectorLiesBetweenItsRadii) {
     EXPECT_GT(d(1, 0) * d(2, 1) - d(1, 1) * d(2, 0), 0) << "xi, eta must be right-handed";
 }
 
-TEST(Primitives, cylinderPatchIsExactAndItsNormalPointsOutwards) {
+TEST(Primitives, cylinder_patch_is_exact_and_its_normal_points_outwards) {
     const NurbsSurface cylinder = cylinderPatch(Point(1, 2, 3), 0.5, 2, 0.3, 0.3 + 1.5 * pi);
     for (const double xi : sampleParameters(33)) {
         for (const double eta : sampleParameters(5)) {
@@ -72,7 +72,7 @@ TEST(Primitives, cylinderPatchIsExactAndItsNormalPointsOutwards) {
     }
 }
 
-TEST(Primitives, impossibleSizesAreRefusedByName) {
+TEST(Primitives, impossible_sizes_are_refused_by_name) {
     expectInputError([] { line(Point::Zero(), Point::Zero()); }, {"length of the line", "0"});
     expectInputError([] { arc(Point::Zero(), -1, 0, 1); }, {"radius", "-1"});
     expectInputError([] { arc(Point::Zero(), 1, 1, 0); }, {"angle", "-1"});

@@ -20,7 +20,7 @@ std::vector<Box> scatteredBoxes(int n) {
 
 } // namespace
 
-TEST(BoxTree, visitsEveryBoxFromNearToFar) {
+TEST(BoxTree, visits_every_box_from_near_to_far) {
     const std::vector<Box> boxes = scatteredBoxes(200);
     const Point point(0.2, -0.3, 0.1);
     double last = 0;
@@ -35,7 +35,7 @@ TEST(BoxTree, visitsEveryBoxFromNearToFar) {
     EXPECT_EQ(visited, 200);
 }
 
-TEST(BoxTree, stopsAtTheDistanceThatTheVisitorGives) {
+TEST(BoxTree, stops_at_the_distance_that_the_visitor_gives) {
     const std::vector<Box> boxes = scatteredBoxes(200);
     const Point point(0.2, -0.3, 0.1);
     int expected = 0, visited = 0;
@@ -46,7 +46,7 @@ TEST(BoxTree, stopsAtTheDistanceThatTheVisitorGives) {
     EXPECT_EQ(visited, expected);
 }
 
-TEST(BoxTree, findsExactlyTheOverlappingBoxes) {
+TEST(BoxTree, finds_exactly_the_overlapping_boxes) {
     const std::vector<Box> boxes = scatteredBoxes(300);
     const Box window{Point(-0.5, -0.5, -0.5), Point(0.4, 0.3, 0.6)};
     std::vector<int> expected;
@@ -59,7 +59,7 @@ TEST(BoxTree, findsExactlyTheOverlappingBoxes) {
     EXPECT_EQ(BoxTree(boxes).overlapping(window), expected);
 }
 
-TEST(BoxTree, findsExactlyTheBoxesThatMeetAHalfSpace) {
+TEST(BoxTree, finds_exactly_the_boxes_that_meet_a_half_space) {
     const std::vector<Box> boxes = scatteredBoxes(300);
     const Point normal(0.6, -0.48, 0.64);
     const auto meets = [&](const Box& box) {

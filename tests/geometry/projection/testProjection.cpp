@@ -42,7 +42,7 @@ NurbsSurface sphere(double radius) {
 
 } // namespace
 
-TEST(CurveProjector, findsTheParameterOfPointsOnTheCurve) {
+TEST(CurveProjector, finds_the_parameter_of_points_on_the_curve) {
     const NurbsCurve curve = sampleCurve();
     const CurveProjector projector(curve);
     for (const double xi : sampleParameters(301)) {
@@ -54,7 +54,7 @@ TEST(CurveProjector, findsTheParameterOfPointsOnTheCurve) {
     }
 }
 
-TEST(CurveProjector, offsetIsNormalToTheCurve) {
+TEST(CurveProjector, offset_is_normal_to_the_curve) {
     const NurbsCurve curve = sampleCurve();
     const CurveProjector projector(curve);
     for (const double xi : sampleParameters(101)) {
@@ -68,7 +68,7 @@ TEST(CurveProjector, offsetIsNormalToTheCurve) {
     }
 }
 
-TEST(CurveProjector, neverMissesANearerPlaceOfTheCurve) {
+TEST(CurveProjector, never_misses_a_nearer_place_of_the_curve) {
     const NurbsCurve curve = sampleCurve();
     const CurveProjector projector(curve);
     for (int i = 0; i < 500; ++i) {
@@ -84,7 +84,7 @@ TEST(CurveProjector, neverMissesANearerPlaceOfTheCurve) {
     }
 }
 
-TEST(CurveProjector, pointsBeyondAnEndOrACornerGetTheEndOrTheCorner) {
+TEST(CurveProjector, points_beyond_an_end_or_a_corner_get_the_end_or_the_corner) {
     const CurveProjector projector(curveWithCorner());
     EXPECT_EQ(projector.closest(Point(-1, -0.5, 0)).xi, 0);
     EXPECT_EQ(projector.closest(Point(3, 4, 0)).xi, 1);
@@ -95,7 +95,7 @@ TEST(CurveProjector, pointsBeyondAnEndOrACornerGetTheEndOrTheCorner) {
     EXPECT_NEAR(corner.distance, std::hypot(0.3, 0.3), 1e-15);
 }
 
-TEST(CurveProjector, bothSidesOfACornerAreFoundNextToIt) {
+TEST(CurveProjector, both_sides_of_a_corner_are_found_next_to_it) {
     const NurbsCurve curve = curveWithCorner();
     const CurveProjector projector(curve);
     for (const double distance : {1e-12, 1e-9, 1e-6, 1e-3}) {
@@ -105,7 +105,7 @@ TEST(CurveProjector, bothSidesOfACornerAreFoundNextToIt) {
     }
 }
 
-TEST(CurveProjector, theCentreOfACircleIsAmbiguousAndItsNeighbourIsNot) {
+TEST(CurveProjector, the_centre_of_a_circle_is_ambiguous_and_its_neighbour_is_not) {
     const CurveProjector projector(arc(Point(1, 1, 0), 2, 0, 2 * pi));
     const CurveProjection centre = projector.closest(Point(1, 1, 0));
     EXPECT_TRUE(centre.ambiguous);
@@ -115,7 +115,7 @@ TEST(CurveProjector, theCentreOfACircleIsAmbiguousAndItsNeighbourIsNot) {
     EXPECT_NEAR(beside.distance, 1.99, 1e-15 * 8);
 }
 
-TEST(CurveProjector, scaleAndPositionDoNotMatter) {
+TEST(CurveProjector, scale_and_position_do_not_matter) {
     for (const double scale : {1e-6, 1.0, 1e6}) {
         for (const double offset : {0.0, 1e6}) {
             const Point shift = scale * offset * Point(1, -1, 0.5);
@@ -135,7 +135,7 @@ TEST(CurveProjector, scaleAndPositionDoNotMatter) {
     }
 }
 
-TEST(SurfaceProjector, findsTheParametersOfPointsOnTheSurface) {
+TEST(SurfaceProjector, finds_the_parameters_of_points_on_the_surface) {
     const NurbsSurface surface = sampleSurface();
     const SurfaceProjector projector(surface);
     for (const double xi : sampleParameters(31)) {
@@ -150,7 +150,7 @@ TEST(SurfaceProjector, findsTheParametersOfPointsOnTheSurface) {
     }
 }
 
-TEST(SurfaceProjector, neverMissesANearerPlaceOfTheSurface) {
+TEST(SurfaceProjector, never_misses_a_nearer_place_of_the_surface) {
     const NurbsSurface surface = sampleSurface();
     const SurfaceProjector projector(surface);
     for (int i = 0; i < 100; ++i) {
@@ -168,7 +168,7 @@ TEST(SurfaceProjector, neverMissesANearerPlaceOfTheSurface) {
     }
 }
 
-TEST(SurfaceProjector, aSphereIsFoundAtItsSeamAndItsPolesToo) {
+TEST(SurfaceProjector, a_sphere_is_found_at_its_seam_and_its_poles_too) {
     const SurfaceProjector projector(sphere(2));
     for (const double latitude : {-pi / 2, -1.5, -0.3, 0.0, 1.2, pi / 2 - 1e-7, pi / 2}) {
         for (const double longitude : {0.0, 1e-9, -1e-9, 2.0, pi}) {
@@ -185,7 +185,7 @@ TEST(SurfaceProjector, aSphereIsFoundAtItsSeamAndItsPolesToo) {
     EXPECT_TRUE(projector.closest(Point::Zero()).ambiguous);
 }
 
-TEST(SurfaceProjector, aThinAndAnAnisotropicPatchAreFound) {
+TEST(SurfaceProjector, a_thin_and_an_anisotropic_patch_are_found) {
     const NurbsSurface patch = refine(rectangle(Point(5, 5, 0), 1, 1e-3), 2, 2, 3, 40);
     const SurfaceProjector projector(patch);
     for (const double xi : sampleParameters(13)) {

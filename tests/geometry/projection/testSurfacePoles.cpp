@@ -7,7 +7,7 @@
 
 namespace tokay::geometry {
 
-TEST(SurfacePoles, aSphereHasTwoWithTheAxisAsNormal) {
+TEST(SurfacePoles, a_sphere_has_two_with_the_axis_as_normal) {
     const std::vector<Pole> poles = surfacePoles(sphere(Point(1, 2, 3), 2));
     ASSERT_EQ(poles.size(), 2);
     EXPECT_EQ(poles[0].edge, Edge::bottom);
@@ -19,7 +19,7 @@ TEST(SurfacePoles, aSphereHasTwoWithTheAxisAsNormal) {
     }
 }
 
-TEST(SurfacePoles, aConesTipHasNoNormal) {
+TEST(SurfacePoles, a_cones_tip_has_no_normal) {
     Points points(6, 3);
     points << 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 0, 0, 1;
     const NurbsSurface cone(KnotVector::uniform(2, 1), KnotVector::uniform(1, 1), points);
@@ -29,7 +29,7 @@ TEST(SurfacePoles, aConesTipHasNoNormal) {
     EXPECT_EQ(poles[0].normal.norm(), 0);
 }
 
-TEST(SurfacePoles, mostSurfacesHaveNone) {
+TEST(SurfacePoles, most_surfaces_have_none) {
     EXPECT_TRUE(surfacePoles(sampleSurface()).empty());
 }
 

@@ -6,7 +6,7 @@
 
 namespace tokay::geometry {
 
-TEST(VolumeProjector, pointsOfTheVolumeAreFound) {
+TEST(VolumeProjector, points_of_the_volume_are_found) {
     const NurbsVolume volume = sampleVolume();
     const VolumeProjector projector(volume);
     for (const double zeta : {0.0, 0.3, 1.0}) {
@@ -21,7 +21,7 @@ TEST(VolumeProjector, pointsOfTheVolumeAreFound) {
     }
 }
 
-TEST(VolumeProjector, pointOutsideGetsTheClosestPlaceOfTheSides) {
+TEST(VolumeProjector, point_outside_gets_the_closest_place_of_the_sides) {
     const NurbsVolume ring = thickened(cylinderPatch({0, 0, 0}, 1.5, 2, 0, 1.5), 1);
     const VolumeProjector projector(ring);
     EXPECT_NEAR(projector.closest({3 * std::cos(0.7), 3 * std::sin(0.7), 1}).distance, 1, 1e-11);

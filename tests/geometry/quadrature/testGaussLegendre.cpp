@@ -7,7 +7,7 @@
 
 using namespace tokay::geometry;
 
-TEST(GaussLegendre, isExactForPolynomialsUpToDegree2nMinus1) {
+TEST(GaussLegendre, is_exact_for_polynomials_up_to_degree2n_minus1) {
     for (int n = 1; n <= 12; ++n) {
         const QuadratureRule& rule = gaussLegendre(n);
         for (int degree = 0; degree < 2 * n; ++degree) {

@@ -16,7 +16,7 @@ const Polygon notConvex = {{0, 0}, {3, 0}, {3, 2}, {2, 2}, {2, 1}, {1, 1}, {1, 2
 
 } // namespace
 
-TEST(Polygon, theIntersectionOfShiftedSquaresHasItsExactArea) {
+TEST(Polygon, the_intersection_of_shifted_squares_has_its_exact_area) {
     for (const double shift : {0.0, 1e-12, 0.25, 0.5, 0.999}) {
         Polygon other = square;
         for (Eigen::Vector2d& corner : other) {
@@ -27,7 +27,7 @@ TEST(Polygon, theIntersectionOfShiftedSquaresHasItsExactArea) {
     }
 }
 
-TEST(Polygon, whatLiesApartHasNoIntersection) {
+TEST(Polygon, what_lies_apart_has_no_intersection) {
     Polygon other = square;
     for (Eigen::Vector2d& corner : other) {
         corner += Eigen::Vector2d(1.5, 0);
@@ -35,14 +35,14 @@ TEST(Polygon, whatLiesApartHasNoIntersection) {
     EXPECT_TRUE(clippedByConvex(other, square).empty());
 }
 
-TEST(Polygon, cuttingAPolygonThatIsNotConvexKeepsItsArea) {
+TEST(Polygon, cutting_a_polygon_that_is_not_convex_keeps_its_area) {
     EXPECT_EQ(signedArea(notConvex), 5);
     // Both arms of the U, joined by sides that cancel.
     EXPECT_EQ(signedArea(clippedByHalfPlane(notConvex, {0, -1}, -1.5)), 1);
     EXPECT_EQ(signedArea(clippedByRectangle(notConvex, {0.5, 0.5}, {2.5, 1.5})), 2.0 - 0.5);
 }
 
-TEST(Polygon, thePartsOfACutSumToTheWhole) {
+TEST(Polygon, the_parts_of_a_cut_sum_to_the_whole) {
     for (int i = 0; i < 50; ++i) {
         const Eigen::Vector2d normal(std::cos(i), std::sin(i));
         const double offset = 2 * std::sin(2.7 * i);

@@ -29,7 +29,7 @@ double area(const std::vector<PlaneTriangle>& triangles) {
 
 } // namespace
 
-TEST(PolygonRegion, intersectionsOfCellsAddUpToTheRegion) {
+TEST(PolygonRegion, intersections_of_cells_add_up_to_the_region) {
     const Region region = {ring({5, 5}, 4, 31, 1), ring({4, 6}, 1.3, 17, -1),
                            ring({6.5, 4}, 1.1, 12, -1)};
     double sum = 0;
@@ -42,7 +42,7 @@ TEST(PolygonRegion, intersectionsOfCellsAddUpToTheRegion) {
     EXPECT_NEAR(sum, signedArea(region), 1e-13);
 }
 
-TEST(PolygonRegion, trianglesCoverRegionsWithHoles) {
+TEST(PolygonRegion, triangles_cover_regions_with_holes) {
     const Region region = {ring({5, 5}, 4, 31, 1), ring({4, 6}, 1.3, 17, -1),
                            ring({6.5, 4}, 1.1, 12, -1), ring({3.5, 3.5}, 0.6, 9, -1),
                            ring({15, 5}, 2, 6, 1)};
@@ -52,7 +52,7 @@ TEST(PolygonRegion, trianglesCoverRegionsWithHoles) {
     EXPECT_EQ(triangles.size(), 31u + 17 + 12 + 9 + 2 * 3 - 2 + 6 - 2);
 }
 
-TEST(PolygonRegion, trianglesCoverCombsAndSpirals) {
+TEST(PolygonRegion, triangles_cover_combs_and_spirals) {
     Polygon comb = {{0, -1}, {20, -1}};
     for (int i = 20; i >= 0; --i) {
         comb.push_back({1.0 * i, i % 2 == 0 ? 3.0 : 0.1});
@@ -71,7 +71,7 @@ TEST(PolygonRegion, trianglesCoverCombsAndSpirals) {
     EXPECT_NEAR(area(triangulated({spiral})), signedArea(spiral), 1e-12);
 }
 
-TEST(PolygonRegion, disjointRegionsHaveNoIntersection) {
+TEST(PolygonRegion, disjoint_regions_have_no_intersection) {
     EXPECT_TRUE(intersection({ring({0, 0}, 1, 5, 1)}, {ring({3, 0}, 1, 5, 1)}).empty());
     EXPECT_TRUE(intersection({}, {ring({3, 0}, 1, 5, 1)}).empty());
     EXPECT_TRUE(triangulated({}).empty());

@@ -12,7 +12,7 @@ namespace {
 const Triangle triangle(Point(1, 0, 0), Point(3, 0.5, 1), Point(1.5, 2, -0.5));
 }
 
-TEST(Triangle, barycentricCoordinatesInvertThePosition) {
+TEST(Triangle, barycentric_coordinates_invert_the_position) {
     for (const Barycentric& b :
          {Barycentric(0.2, 0.3, 0.5), Barycentric(1.4, -0.9, 0.5), Barycentric(0, 0, 1)}) {
         const Point off = triangle.at(b) + 0.7 * triangle.unitNormal();
@@ -20,7 +20,7 @@ TEST(Triangle, barycentricCoordinatesInvertThePosition) {
     }
 }
 
-TEST(Triangle, noPointOfItIsNearerThanTheClosest) {
+TEST(Triangle, no_point_of_it_is_nearer_than_the_closest) {
     for (int i = 0; i < 200; ++i) {
         const Point point(4 * std::sin(1.0 * i), 3 * std::cos(2.0 * i), 2 * std::sin(3.3 * i));
         const Barycentric found = triangle.closest(point);
@@ -36,14 +36,14 @@ TEST(Triangle, noPointOfItIsNearerThanTheClosest) {
     }
 }
 
-TEST(Triangle, aNeedleKeepsItsCoordinates) {
+TEST(Triangle, a_needle_keeps_its_coordinates) {
     const Triangle needle(Point(0, 0, 0), Point(1, 0, 0), Point(0.3, 1e-3, 0));
     const Barycentric b(0.1, 0.2, 0.7);
     // 1e-16 of the length is 1e-13 of the height.
     EXPECT_LT((needle.barycentric(needle.at(b)) - b).norm(), 1e-12);
 }
 
-TEST(TriangleRule, integratesPolynomialsOfItsDegreeExactly) {
+TEST(TriangleRule, integrates_polynomials_of_its_degree_exactly) {
     const auto factorial = [](int n) { return std::tgamma(n + 1.0); };
     for (int degree = 0; degree <= 12; ++degree) {
         const TriangleRule& rule = triangleRule(degree);

@@ -7,7 +7,7 @@
 
 namespace tokay::geometry {
 
-TEST(NurbsCurve, rationalFunctionsSumToOneAndAreNotNegative) {
+TEST(NurbsCurve, rational_functions_sum_to_one_and_are_not_negative) {
     const NurbsCurve curve = sampleCurve();
     for (const double xi : sampleParameters(33)) {
         const CurveBasis basis = curve.basis(xi, 2);
@@ -18,7 +18,7 @@ TEST(NurbsCurve, rationalFunctionsSumToOneAndAreNotNegative) {
     }
 }
 
-TEST(NurbsCurve, derivativesAgreeWithFiniteDifferences) {
+TEST(NurbsCurve, derivatives_agree_with_finite_differences) {
     const NurbsCurve curve = sampleCurve();
     const double h = 1e-5; // error h^2 and 1e-16 / h of each derivative's scale
     for (const double xi : {0.11, 0.45, 0.66, 0.83}) {
@@ -32,13 +32,13 @@ TEST(NurbsCurve, derivativesAgreeWithFiniteDifferences) {
     }
 }
 
-TEST(NurbsCurve, startsAndEndsAtItsOuterControlPoints) {
+TEST(NurbsCurve, starts_and_ends_at_its_outer_control_points) {
     const NurbsCurve curve = sampleCurve();
     EXPECT_EQ(curve.point(0), Point(0, 0, 0));
     EXPECT_EQ(curve.point(1), Point(6, 0, 0));
 }
 
-TEST(NurbsCurve, equalWeightsMakeAPolynomialCurve) {
+TEST(NurbsCurve, equal_weights_make_a_polynomial_curve) {
     const NurbsCurve curve = curveWithCorner();
     const NurbsCurve weighted(curve.knotVector(), curve.controlPoints(),
                               Eigen::VectorXd::Constant(5, 0.7));
@@ -46,7 +46,7 @@ TEST(NurbsCurve, equalWeightsMakeAPolynomialCurve) {
     EXPECT_EQ(weighted.point(0.3), curve.point(0.3));
 }
 
-TEST(NurbsCurve, refusesCountsWeightsAndCoordinatesThatDoNotFit) {
+TEST(NurbsCurve, refuses_counts_weights_and_coordinates_that_do_not_fit) {
     const KnotVector knots = KnotVector::uniform(1, 2);
     const Points points = Points::Random(3, 3);
     expectInputError([&] { NurbsCurve(knots, points.topRows(2)); }, {"2 control points", "3"});

@@ -7,7 +7,7 @@
 
 namespace tokay::geometry {
 
-TEST(NurbsSurface, rationalFunctionsSumToOneAndTheirDerivativesToZero) {
+TEST(NurbsSurface, rational_functions_sum_to_one_and_their_derivatives_to_zero) {
     const NurbsSurface surface = sampleSurface();
     for (const double xi : sampleParameters(9)) {
         for (const double eta : sampleParameters(9)) {
@@ -20,7 +20,7 @@ TEST(NurbsSurface, rationalFunctionsSumToOneAndTheirDerivativesToZero) {
     }
 }
 
-TEST(NurbsSurface, derivativesOfAnyOrderAgreeWithFiniteDifferences) {
+TEST(NurbsSurface, derivatives_of_any_order_agree_with_finite_differences) {
     const NurbsSurface surface = sampleSurface();
     const double h = 1e-5; // error h^2 and 1e-16 / h of each derivative's scale
     for (const double xi : {0.2, 0.77}) {
@@ -46,7 +46,7 @@ TEST(NurbsSurface, derivativesOfAnyOrderAgreeWithFiniteDifferences) {
     }
 }
 
-TEST(NurbsSurface, boundaryCurvesLieOnTheSurfaceAndKnowTheirControlPoints) {
+TEST(NurbsSurface, boundary_curves_lie_on_the_surface_and_know_their_control_points) {
     const NurbsSurface surface = sampleSurface();
     for (const Edge edge : {Edge::left, Edge::right, Edge::bottom, Edge::top}) {
         const BoundaryCurve boundary = surface.boundaryCurve(edge);
@@ -63,7 +63,7 @@ TEST(NurbsSurface, boundaryCurvesLieOnTheSurfaceAndKnowTheirControlPoints) {
     }
 }
 
-TEST(NurbsSurface, edgesHaveNamesAndAWrongNameIsRefusedWithTheList) {
+TEST(NurbsSurface, edges_have_names_and_a_wrong_name_is_refused_with_the_list) {
     for (const Edge edge : {Edge::left, Edge::right, Edge::bottom, Edge::top}) {
         EXPECT_EQ(edgeFromName(nameOf(edge)), edge);
     }

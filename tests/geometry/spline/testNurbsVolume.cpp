@@ -34,7 +34,7 @@ void expectSameVolume(const NurbsVolume& a, const NurbsVolume& b) {
 
 } // namespace
 
-TEST(NurbsVolume, functionsSumToOneAndTheirDerivativesToZero) {
+TEST(NurbsVolume, functions_sum_to_one_and_their_derivatives_to_zero) {
     for (const Eigen::Vector3d& at : places()) {
         const VolumeBasis basis = sampleVolume().basis(at);
         EXPECT_GE(basis.N.row(0).minCoeff(), 0);
@@ -44,7 +44,7 @@ TEST(NurbsVolume, functionsSumToOneAndTheirDerivativesToZero) {
     }
 }
 
-TEST(NurbsVolume, affineMapOfControlPointsIsTheMapOfPoints) {
+TEST(NurbsVolume, affine_map_of_control_points_is_the_map_of_points) {
     const NurbsVolume volume = sampleVolume();
     Eigen::Matrix3d A;
     A << 1, 2, 0.5, -1, 0.3, 2, 0, 1, -2;
@@ -57,7 +57,7 @@ TEST(NurbsVolume, affineMapOfControlPointsIsTheMapOfPoints) {
     }
 }
 
-TEST(NurbsVolume, jacobianIsTheDerivativeOfThePoint) {
+TEST(NurbsVolume, jacobian_is_the_derivative_of_the_point) {
     const NurbsVolume volume = sampleVolume();
     const Eigen::Vector3d at(0.3, 0.62, 0.4);
     const double h = 1e-5; // truncation h^2, rounding 1e-15 / h: both 1e-10
@@ -68,7 +68,7 @@ TEST(NurbsVolume, jacobianIsTheDerivativeOfThePoint) {
     }
 }
 
-TEST(NurbsVolume, refinementLeavesARationalVolumeUnchanged) {
+TEST(NurbsVolume, refinement_leaves_a_rational_volume_unchanged) {
     const NurbsVolume volume = sampleVolume();
     expectSameVolume(volume, insertKnots(volume, {{{0.1, 0.3, 0.3}, {0.7}, {0.2, 0.9}}}));
     expectSameVolume(volume, elevateDegree(volume, {1, 0, 2}));
@@ -81,7 +81,7 @@ TEST(NurbsVolume, refinementLeavesARationalVolumeUnchanged) {
     expectSameVolume(volume, fine);
 }
 
-TEST(NurbsVolume, sidesAreItsPointsAndKnowWhereOutsideIs) {
+TEST(NurbsVolume, sides_are_its_points_and_know_where_outside_is) {
     const NurbsVolume volume = sampleVolume();
     for (int number = 0; number < 6; ++number) {
         const Side side = static_cast<Side>(number);
@@ -103,7 +103,7 @@ TEST(NurbsVolume, sidesAreItsPointsAndKnowWhereOutsideIs) {
     }
 }
 
-TEST(NurbsVolume, thickenedCylinderIsExact) {
+TEST(NurbsVolume, thickened_cylinder_is_exact) {
     const NurbsVolume ring = thickened(cylinderPatch({1, 2, 3}, 1.5, 2, 0.2, 3), 1);
     for (const Eigen::Vector3d& at : places()) {
         const Point x = ring.point(at) - Point(1, 2, 3);
@@ -113,13 +113,13 @@ TEST(NurbsVolume, thickenedCylinderIsExact) {
     }
 }
 
-TEST(NurbsVolume, blockIsWhereItShallBe) {
+TEST(NurbsVolume, block_is_where_it_shall_be) {
     const NurbsVolume box = block({1, 2, 3}, {4, 5, 6});
     EXPECT_LT((box.point({0.5, 0.2, 1}) - Point(3, 3, 9)).norm(), rounding);
     EXPECT_NEAR(box.jacobian({0.1, 0.2, 0.3}).determinant(), 120, 1e-12);
 }
 
-TEST(NurbsVolume, wrongInputIsRefused) {
+TEST(NurbsVolume, wrong_input_is_refused) {
     const KnotVector linear = KnotVector::uniform(1, 1);
     expectInputError([&] { NurbsVolume(linear, linear, linear, Points::Zero(7, 3)); }, {"8", "7"});
     expectInputError([] { block({0, 0, 0}, {1, 1, 0}); }, {"along z is 0", "positive"});

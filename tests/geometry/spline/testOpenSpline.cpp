@@ -33,7 +33,7 @@ double valueOf(const SplineCoefficients& spline, double xi) {
 
 } // namespace
 
-TEST(OpenSpline, keepsTheValuesOfPeriodicAndHalfOpenSplines) {
+TEST(OpenSpline, keeps_the_values_of_periodic_and_half_open_splines) {
     const std::vector<std::vector<double>> knotVectors = {
         {-3, -2, -1, 0, 1, 2, 3, 4, 5, 6, 7},
         {-3, -2.5, 0, 0, 1, 2, 2.5, 4, 4, 6, 7},
@@ -57,7 +57,7 @@ TEST(OpenSpline, keepsTheValuesOfPeriodicAndHalfOpenSplines) {
     }
 }
 
-TEST(OpenSpline, leavesOpenSplinesAsTheyAreToTheBit) {
+TEST(OpenSpline, leaves_open_splines_as_they_are_to_the_bit) {
     Eigen::MatrixXd rows(4, 2);
     rows << 1, 2, 3, 4, 5, 6, 0.1, 0.7;
     for (const std::vector<double>& knots :
@@ -68,7 +68,7 @@ TEST(OpenSpline, leavesOpenSplinesAsTheyAreToTheBit) {
     }
 }
 
-TEST(OpenSpline, refusesWhatFitsNeitherWay) {
+TEST(OpenSpline, refuses_what_fits_neither_way) {
     const Eigen::MatrixXd rows = Eigen::MatrixXd::Ones(3, 1);
     expectInputError([&] { openSpline(2, {0, 0, 0, 1, 1}, rows); }, {"5 knots", "6", "(or 4"});
     expectInputError([&] { openSpline(2, {0, 0, 0, 1, 0.5, 1}, rows); }, {"knot 4", "0.5"});

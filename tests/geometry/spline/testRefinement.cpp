@@ -31,14 +31,14 @@ void expectSameSurface(const NurbsSurface& a, const NurbsSurface& b) {
 
 } // namespace
 
-TEST(Refinement, knotInsertionLeavesARationalCurveUnchanged) {
+TEST(Refinement, knot_insertion_leaves_a_rational_curve_unchanged) {
     const NurbsCurve curve = sampleCurve();
     const NurbsCurve fine = insertKnots(curve, {0.1, 0.3, 0.3, 0.5, 0.7, 0.99});
     EXPECT_EQ(fine.nControlPoints(), curve.nControlPoints() + 6);
     expectSameCurve(curve, fine);
 }
 
-TEST(Refinement, knotsInsertedAndRemovedLeaveTheSameControlPoints) {
+TEST(Refinement, knots_inserted_and_removed_leave_the_same_control_points) {
     const NurbsCurve curve = sampleCurve();
     const std::vector<double> knots = {0.1, 0.3, 0.3, 0.5, 0.7, 0.99};
     const NurbsCurve back = removeKnots(insertKnots(curve, knots), knots);
@@ -52,14 +52,14 @@ TEST(Refinement, knotsInsertedAndRemovedLeaveTheSameControlPoints) {
     EXPECT_LT((same.controlPoints() - surface.controlPoints()).cwiseAbs().maxCoeff(), 1e-11);
 }
 
-TEST(Refinement, aKnotThatTheCurveNeedsIsNotRemoved) {
+TEST(Refinement, a_knot_that_the_curve_needs_is_not_removed) {
     expectInputError([] { removeKnots(curveWithCorner(), {0.5}); }, {"not smooth enough"});
     expectInputError([] { removeKnots(sampleCurve(), {0.123}); },
                      {"the knot 0.123 cannot be removed"});
     expectInputError([] { removeKnots(sampleCurve(), {0}); }, {"the knot 0 cannot be removed"});
 }
 
-TEST(Refinement, degreeElevationLeavesARationalCurveUnchanged) {
+TEST(Refinement, degree_elevation_leaves_a_rational_curve_unchanged) {
     const NurbsCurve curve = sampleCurve(), fine = elevateDegree(curve, 3);
     EXPECT_EQ(fine.degree(), 6);
     // Continuity stays: multiplicities grow with the degree.
@@ -68,13 +68,13 @@ TEST(Refinement, degreeElevationLeavesARationalCurveUnchanged) {
     expectSameCurve(curve, fine);
 }
 
-TEST(Refinement, elevationKeepsACornerWhereItIs) {
+TEST(Refinement, elevation_keeps_a_corner_where_it_is) {
     const NurbsCurve curve = curveWithCorner(), fine = elevateDegree(curve, 2);
     EXPECT_EQ(fine.point(0.5), Point(2, 0, 0));
     expectSameCurve(curve, fine);
 }
 
-TEST(Refinement, surfaceRefinementLeavesARationalSurfaceUnchanged) {
+TEST(Refinement, surface_refinement_leaves_a_rational_surface_unchanged) {
     const NurbsSurface surface = sampleSurface(), fine = refine(surface, 3, 5, 3, 2);
     EXPECT_EQ(fine.u().degree(), 3);
     EXPECT_EQ(fine.v().degree(), 5);
@@ -84,14 +84,14 @@ TEST(Refinement, surfaceRefinementLeavesARationalSurfaceUnchanged) {
     expectSameSurface(surface, insertKnots(elevateDegree(surface, 0, 1), {0.4, 0.6}, {}));
 }
 
-TEST(Refinement, kRefinementGivesAPrimitiveSmoothSpans) {
+TEST(Refinement, k_refinement_gives_a_primitive_smooth_spans) {
     const NurbsSurface plate = refine(rectangle(Point::Zero(), 2, 1), 2, 3, 4, 5);
     EXPECT_EQ(plate.u().nBasis(), 6); // 4 spans, degree 2, C1
     EXPECT_EQ(plate.v().nBasis(), 8); // 5 spans, degree 3, C2
     EXPECT_LT((plate.point(0.3, 0.8) - Point(0.6, 0.8, 0)).norm(), 1e-15);
 }
 
-TEST(Refinement, bezierPiecesAreThePatchPieceByPiece) {
+TEST(Refinement, bezier_pieces_are_the_patch_piece_by_piece) {
     const NurbsSurface surface = sampleSurface();
     const std::vector<NurbsSurface> pieces = bezierPieces(surface);
     ASSERT_EQ(pieces.size(), 6u);
@@ -107,7 +107,7 @@ TEST(Refinement, bezierPiecesAreThePatchPieceByPiece) {
     }
 }
 
-TEST(Refinement, refusesKnotsOutsideAndLowerDegrees) {
+TEST(Refinement, refuses_knots_outside_and_lower_degrees) {
     const NurbsCurve curve = sampleCurve();
     expectInputError([&] { insertKnots(curve, {1.5}); }, {"1.5", "(0, 1)"});
     expectInputError([&] { insertKnots(curve, {0.6, 0.5}); }, {"ascending"});

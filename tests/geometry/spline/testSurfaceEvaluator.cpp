@@ -8,7 +8,7 @@
 
 namespace tokay::geometry {
 
-TEST(SurfaceEvaluator, agreesWithTheSurfaceInAnyOrderOfPlaces) {
+TEST(SurfaceEvaluator, agrees_with_the_surface_in_any_order_of_places) {
     const NurbsSurface polynomial = refine(rectangle(Point::Zero(), 2, 1), 3, 1, 4, 5);
     for (const NurbsSurface& surface : {sampleSurface(), polynomial}) {
         SurfaceEvaluator evaluator(surface);
@@ -26,7 +26,7 @@ TEST(SurfaceEvaluator, agreesWithTheSurfaceInAnyOrderOfPlaces) {
     }
 }
 
-TEST(SurfaceEvaluator, jacobianOfARectangleIsItsArea) {
+TEST(SurfaceEvaluator, jacobian_of_a_rectangle_is_its_area) {
     const NurbsSurface surface = rectangle(Point(3, 4, 5), 2, 0.5);
     SurfaceEvaluator evaluator(surface);
     evaluator.moveTo(0.3, 1);

@@ -24,7 +24,7 @@ CurveOnSurface circleOnSurface() {
 
 } // namespace
 
-TEST(ParameterCrossings, findsWhereACircleCrossesALine) {
+TEST(ParameterCrossings, finds_where_a_circle_crosses_a_line) {
     const NurbsCurve circle = arc(Point::Zero(), 1, 0.2, 0.2 + 2 * pi);
     for (const double value : {-0.99, -0.5, 0.0, 0.3, 0.999}) {
         const std::vector<double> crossings = parameterCrossings(circle, 0, value);
@@ -36,13 +36,13 @@ TEST(ParameterCrossings, findsWhereACircleCrossesALine) {
     EXPECT_TRUE(parameterCrossings(circle, 1, 1.01).empty());
 }
 
-TEST(ParameterCrossings, findsACrossingExactlyBetweenTwoSpans) {
+TEST(ParameterCrossings, finds_a_crossing_exactly_between_two_spans) {
     const NurbsCurve curve = refine(line(Point(0, 0, 0), Point(1, 2, 0)), 2, 4);
     EXPECT_EQ(parameterCrossings(curve, 0, 0.5), std::vector<double>{0.5});
     EXPECT_TRUE(parameterCrossings(line(Point(1, 0, 0), Point(1, 1, 0)), 0, 1).empty());
 }
 
-TEST(CurveOnSurface, liesOnTheSurfaceAndItsDerivativesAgreeWithFiniteDifferences) {
+TEST(CurveOnSurface, lies_on_the_surface_and_its_derivatives_agree_with_finite_differences) {
     const CurveOnSurface curve = circleOnSurface();
     const double h = 1e-5; // error h^2 and 1e-16 / h of each derivative's scale
     for (const double t : {0.1, 0.33, 0.62, 0.9}) {
@@ -56,7 +56,7 @@ TEST(CurveOnSurface, liesOnTheSurfaceAndItsDerivativesAgreeWithFiniteDifferences
     }
 }
 
-TEST(CurveOnSurface, breakpointsAreTheCrossingsOfKnotLines) {
+TEST(CurveOnSurface, breakpoints_are_the_crossings_of_knot_lines) {
     const CurveOnSurface curve = circleOnSurface();
     int nOnLines = 0;
     for (const double t : curve.breakpoints()) {
@@ -69,7 +69,7 @@ TEST(CurveOnSurface, breakpointsAreTheCrossingsOfKnotLines) {
     EXPECT_EQ(curve.breakpoints().size(), 11u); // and the arc's own four spans
 }
 
-TEST(CurveOnSurface, findsTheParameterOfPointsOnIt) {
+TEST(CurveOnSurface, finds_the_parameter_of_points_on_it) {
     const CurveOnSurface curve = circleOnSurface();
     for (const double t : sampleParameters(101)) {
         if (t == 0 || t == 1) {
@@ -82,13 +82,13 @@ TEST(CurveOnSurface, findsTheParameterOfPointsOnIt) {
     }
 }
 
-TEST(CurveOnSurface, refusesACurveOutsideThePatch) {
+TEST(CurveOnSurface, refuses_a_curve_outside_the_patch) {
     expectInputError(
         [] { CurveOnSurface(line(Point(0.5, 0, 0), Point(0.5, 1.2, 0)), sampleSurface()); },
         {"eta", "1.2", "0 to 1"});
 }
 
-TEST(GaussLegendre, integratesPolynomialsOfTwiceItsPointsExactly) {
+TEST(GaussLegendre, integrates_polynomials_of_twice_its_points_exactly) {
     for (int n = 1; n <= 24; ++n) {
         const QuadratureRule& rule = gaussLegendre(n);
         for (int degree = 0; degree < 2 * n; ++degree) {

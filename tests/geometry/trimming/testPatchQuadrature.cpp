@@ -81,13 +81,13 @@ double polygonIntegral(const Polygon& corners, const Function& integralOverX) {
 
 } // namespace
 
-TEST(PatchQuadrature, boundaryExactRuleIntegratesADiscWithAHole) {
+TEST(PatchQuadrature, boundary_exact_rule_integrates_a_disc_with_a_hole) {
     for (const int nSpans : {1, 2, 7, 20}) {
         EXPECT_LT(discWithHoleError(discWithHole(nSpans), {}), 1e-12) << nSpans;
     }
 }
 
-TEST(PatchQuadrature, errorOfTheBoundaryExactRuleFallsExponentially) {
+TEST(PatchQuadrature, error_of_the_boundary_exact_rule_falls_exponentially) {
     const TrimmedPatch patch = discWithHole(1);
     QuadratureOptions options;
     double before = 1;
@@ -100,7 +100,7 @@ TEST(PatchQuadrature, errorOfTheBoundaryExactRuleFallsExponentially) {
     EXPECT_LT(before, 1e-13);
 }
 
-TEST(PatchQuadrature, errorOfTheTriangulatedRuleFallsWithTheChordTolerance) {
+TEST(PatchQuadrature, error_of_the_triangulated_rule_falls_with_the_chord_tolerance) {
     for (const int nSpans : {1, 7}) {
         const TrimmedPatch patch = discWithHole(nSpans);
         QuadratureOptions options;
@@ -115,7 +115,7 @@ TEST(PatchQuadrature, errorOfTheTriangulatedRuleFallsWithTheChordTolerance) {
     }
 }
 
-TEST(PatchQuadrature, bothRulesAreExactForPolygons) {
+TEST(PatchQuadrature, both_rules_are_exact_for_polygons) {
     // A rotated square whose corners lie anywhere, with a rotated square hole.
     Polygon outer, inner;
     for (int i = 0; i < 4; ++i) {
@@ -138,7 +138,7 @@ TEST(PatchQuadrature, bothRulesAreExactForPolygons) {
     }
 }
 
-TEST(PatchQuadrature, polynomialTrimmingCurvesAndIntegrandsAreExact) {
+TEST(PatchQuadrature, polynomial_trimming_curves_and_integrands_are_exact) {
     // Under the parabola y = x (1 - x): the integral of x^m y^n is known.
     Points points(3, 3);
     points << 1, 0, 0, 0.5, 0.5, 0, 0, 0, 0;
@@ -154,7 +154,7 @@ TEST(PatchQuadrature, polynomialTrimmingCurvesAndIntegrandsAreExact) {
     }
 }
 
-TEST(PatchQuadrature, trimLinesOnAndBesideKnotLinesAreExact) {
+TEST(PatchQuadrature, trim_lines_on_and_beside_knot_lines_are_exact) {
     for (const double offset : {0.0, 1e-12, -1e-12, 1e-8, -1e-8, 1e-4, -1e-4}) {
         for (const CutRule rule : {CutRule::boundaryExact, CutRule::triangulated}) {
             const double x = 0.4 + 0.2 * offset, y = 0.8 - 0.2 * offset;
@@ -172,7 +172,7 @@ TEST(PatchQuadrature, trimLinesOnAndBesideKnotLinesAreExact) {
     }
 }
 
-TEST(PatchQuadrature, loopsAnywhereOnAndAboutKnotLinesKeepTheirArea) {
+TEST(PatchQuadrature, loops_anywhere_on_and_about_knot_lines_keep_their_area) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> uniform(0, 1);
     const std::vector<double> offsets = {0,     1e-16, -1e-16, 1e-14, 1e-12, -1e-12,
@@ -220,7 +220,7 @@ TEST(PatchQuadrature, loopsAnywhereOnAndAboutKnotLinesKeepTheirArea) {
     }
 }
 
-TEST(PatchQuadrature, weightsArePositiveAndPointsInside) {
+TEST(PatchQuadrature, weights_are_positive_and_points_inside) {
     const TrimmedPatch patch = discWithHole(6);
     for (const CutRule rule : {CutRule::boundaryExact, CutRule::triangulated}) {
         QuadratureOptions options;
@@ -238,7 +238,7 @@ TEST(PatchQuadrature, weightsArePositiveAndPointsInside) {
     }
 }
 
-TEST(PatchQuadrature, aCuspKeepsPositiveWeightsAndItsArea) {
+TEST(PatchQuadrature, a_cusp_keeps_positive_weights_and_its_area) {
     const TrimmingLoop cusp(LoopKind::outer,
                             {arc(Point(0.2, 0.5, 0), 0.4, -pi / 2, pi / 2),
                              line(Point(0.2, 0.9, 0), Point(0.2, 0.5, 0)),
@@ -252,7 +252,7 @@ TEST(PatchQuadrature, aCuspKeepsPositiveWeightsAndItsArea) {
                 1e-13);
 }
 
-TEST(PatchQuadrature, aHoleSmallerThanAnElementIsExact) {
+TEST(PatchQuadrature, a_hole_smaller_than_an_element_is_exact) {
     for (const double radius : {0.05, 1e-3, 1e-5}) {
         const TrimmedPatch patch(square(3), {circleLoop(LoopKind::inner, {0.55, 0.52}, radius)});
         const double area = integral(PatchQuadrature(patch), [](double, double) { return 1; });
@@ -260,7 +260,7 @@ TEST(PatchQuadrature, aHoleSmallerThanAnElementIsExact) {
     }
 }
 
-TEST(PatchQuadrature, cylinderAndSphereHaveTheirAreas) {
+TEST(PatchQuadrature, cylinder_and_sphere_have_their_areas) {
     const double radius = 0.7, height = 2.5;
     const TrimmedPatch cylinder(cylinderPatch(Point(1, 2, 3), radius, height, 0, 2 * pi));
     QuadratureOptions options;
@@ -271,7 +271,7 @@ TEST(PatchQuadrature, cylinderAndSphereHaveTheirAreas) {
     EXPECT_NEAR(area(PatchQuadrature(fine, options)), 2 * pi * radius * height, 1e-12);
 }
 
-TEST(PatchQuadrature, aSphereHasItsAreaWholeAndTrimmed) {
+TEST(PatchQuadrature, a_sphere_has_its_area_whole_and_trimmed) {
     const double radius = 1.3;
     const TrimmedPatch whole = TrimmedPatch(sphere(Point(4, 5, 6), radius)).refined(2, 2, 4, 4);
     QuadratureOptions options;
@@ -287,7 +287,7 @@ TEST(PatchQuadrature, aSphereHasItsAreaWholeAndTrimmed) {
     EXPECT_NEAR(area(PatchQuadrature(zone, options)), 2 * pi * radius * height, 1e-12);
 }
 
-TEST(PatchQuadrature, refusesImpossibleOptions) {
+TEST(PatchQuadrature, refuses_impossible_options) {
     const TrimmedPatch patch = discWithHole(1);
     const auto with = [&](auto change) {
         return [&patch, change] {

@@ -23,7 +23,7 @@ int count(const TrimmedPatch& patch, ElementState state) {
 
 } // namespace
 
-TEST(TrimmedPatch, withoutLoopsEveryElementIsFull) {
+TEST(TrimmedPatch, without_loops_every_element_is_full) {
     const TrimmedPatch patch(square(3));
     EXPECT_FALSE(patch.isTrimmed());
     EXPECT_EQ(count(patch, ElementState::full), 9);
@@ -31,13 +31,13 @@ TEST(TrimmedPatch, withoutLoopsEveryElementIsFull) {
     EXPECT_FALSE(patch.contains({0.5, 1.01}));
 }
 
-TEST(TrimmedPatch, aLoopOnTheRimLeavesEveryElementFull) {
+TEST(TrimmedPatch, a_loop_on_the_rim_leaves_every_element_full) {
     const TrimmedPatch patch = cutAt(1, 7);
     EXPECT_FALSE(patch.isTrimmed());
     EXPECT_EQ(count(patch, ElementState::full), 49);
 }
 
-TEST(TrimmedPatch, aTrimLineOnAKnotLineCutsNoElement) {
+TEST(TrimmedPatch, a_trim_line_on_a_knot_line_cuts_no_element) {
     const int n = 7;
     for (int k = 1; k < n; ++k) {
         const TrimmedPatch patch = cutAt(static_cast<double>(k) / n, n);
@@ -46,7 +46,7 @@ TEST(TrimmedPatch, aTrimLineOnAKnotLineCutsNoElement) {
     }
 }
 
-TEST(TrimmedPatch, aTrimLineBesideAKnotLineCutsOnlyWhatIsMoreThanASliver) {
+TEST(TrimmedPatch, a_trim_line_beside_a_knot_line_cuts_only_what_is_more_than_a_sliver) {
     const int n = 10;
     for (const double side : {-1.0, 1.0}) {
         for (const double distance : {1e-12, 1e-8, 1e-4}) {
@@ -66,7 +66,7 @@ TEST(TrimmedPatch, aTrimLineBesideAKnotLineCutsOnlyWhatIsMoreThanASliver) {
     }
 }
 
-TEST(TrimmedPatch, aTrimLineThatWobblesAboutAKnotLineIsConsistent) {
+TEST(TrimmedPatch, a_trim_line_that_wobbles_about_a_knot_line_is_consistent) {
     // Corners by turns left and right of the knot line, some on it.
     for (const double size : {1e-16, 1e-13, 1e-9, 1e-5}) {
         Polygon corners = {{0, 0}};
@@ -90,7 +90,7 @@ TEST(TrimmedPatch, aTrimLineThatWobblesAboutAKnotLineIsConsistent) {
     }
 }
 
-TEST(TrimmedPatch, aHoleSmallerThanAnElementCutsItsElementOnly) {
+TEST(TrimmedPatch, a_hole_smaller_than_an_element_cuts_its_element_only) {
     const TrimmedPatch patch(square(4), {circleLoop(LoopKind::inner, {0.6, 0.6}, 0.05)});
     EXPECT_EQ(patch.elements(ElementState::cut), std::vector<int>{patch.elementNumber(2, 2)});
     EXPECT_EQ(count(patch, ElementState::full), 15);
@@ -99,7 +99,7 @@ TEST(TrimmedPatch, aHoleSmallerThanAnElementCutsItsElementOnly) {
     EXPECT_TRUE(patch.contains({0.6, 0.6501}));
 }
 
-TEST(TrimmedPatch, containsAgreesWithTheDistanceToTheCentre) {
+TEST(TrimmedPatch, contains_agrees_with_the_distance_to_the_centre) {
     const TrimmedPatch patch(square(9), {circleLoop(LoopKind::outer, {0.5, 0.5}, 0.45),
                                          circleLoop(LoopKind::inner, {0.5, 0.45}, 0.2)});
     for (int i = 0; i < 5000; ++i) {
@@ -110,7 +110,7 @@ TEST(TrimmedPatch, containsAgreesWithTheDistanceToTheCentre) {
     }
 }
 
-TEST(TrimmedPatch, anIslandInAHoleBelongsToThePatch) {
+TEST(TrimmedPatch, an_island_in_a_hole_belongs_to_the_patch) {
     const TrimmedPatch patch(square(5), {circleLoop(LoopKind::outer, {0.5, 0.5}, 0.49),
                                          circleLoop(LoopKind::inner, {0.5, 0.5}, 0.4),
                                          circleLoop(LoopKind::outer, {0.5, 0.5}, 0.2)});
@@ -119,7 +119,7 @@ TEST(TrimmedPatch, anIslandInAHoleBelongsToThePatch) {
     EXPECT_TRUE(patch.contains({0.5, 0.95}));
 }
 
-TEST(TrimmedPatch, aRefinedBasisKeepsLoopsAndParameters) {
+TEST(TrimmedPatch, a_refined_basis_keeps_loops_and_parameters) {
     const TrimmedPatch patch(square(1), {circleLoop(LoopKind::inner, {0.5, 0.5}, 0.3)});
     const TrimmedPatch fine = patch.refined(3, 4, 6, 8);
     EXPECT_EQ(fine.nElements(), 48);
@@ -129,7 +129,7 @@ TEST(TrimmedPatch, aRefinedBasisKeepsLoopsAndParameters) {
     EXPECT_FALSE(fine.contains({0.5, 0.5}));
 }
 
-TEST(TrimmedPatch, clippedCellsKeepTheAreaInsideTheLoops) {
+TEST(TrimmedPatch, clipped_cells_keep_the_area_inside_the_loops) {
     const double radius = 0.79;
     const TrimmedPatch patch(square(1), {circleLoop(LoopKind::outer, {0.5, 0.5}, 0.49),
                                          circleLoop(LoopKind::inner, {0.5, 0.5}, 0.3)});
@@ -150,7 +150,7 @@ TEST(TrimmedPatch, clippedCellsKeepTheAreaInsideTheLoops) {
     EXPECT_NEAR(area, exact, TrimmedPatch::polygonTolerance * 2 * std::acos(-1.0) * radius);
 }
 
-TEST(TrimmedPatch, refusesLoopsThatDoNotFit) {
+TEST(TrimmedPatch, refuses_loops_that_do_not_fit) {
     const NurbsSurface surface = square(2);
     const auto circle = circleLoop(LoopKind::outer, {0.5, 0.5}, 0.4);
     expectInputError(

@@ -16,7 +16,7 @@ namespace {
 const double pi = std::acos(-1.0);
 }
 
-TEST(CurveParts, aReversedCurveHasTheSamePointsBackwards) {
+TEST(CurveParts, a_reversed_curve_has_the_same_points_backwards) {
     const NurbsCurve curve = sampleCurve(), back = reversed(curve);
     for (const double xi : sampleParameters(57)) {
         EXPECT_LT((curve.point(xi) - back.point(1 - xi)).norm(), 2e-14); // coordinates of size 6
@@ -24,7 +24,7 @@ TEST(CurveParts, aReversedCurveHasTheSamePointsBackwards) {
     EXPECT_EQ(back.point(0), curve.point(1));
 }
 
-TEST(CurveParts, aPartIsTheCurveItself) {
+TEST(CurveParts, a_part_is_the_curve_itself) {
     const NurbsCurve curve = sampleCurve();
     for (const auto& [from, to] :
          {std::pair(0.0, 1.0), std::pair(0.1, 0.2), std::pair(0.3, 0.7), std::pair(0.25, 1.0),
@@ -41,7 +41,7 @@ TEST(CurveParts, aPartIsTheCurveItself) {
     expectInputError([&] { partOf(curve, 0.5, 1.5); }, {"0 to 1", "0.5 to 1.5"});
 }
 
-TEST(TrimmingLoop, itsAreaIsExactAndItsPiecesAreMonotone) {
+TEST(TrimmingLoop, its_area_is_exact_and_its_pieces_are_monotone) {
     EXPECT_NEAR(circleLoop(LoopKind::outer, {3, 4}, 2).signedArea(), 4 * pi, 1e-13);
     EXPECT_NEAR(circleLoop(LoopKind::inner, {3, 4}, 2).signedArea(), -4 * pi, 1e-13);
     EXPECT_NEAR(polygonLoop(LoopKind::outer, {{0, 0}, {4, 0}, {4, 1}, {1, 3}}).signedArea(), 7.5,
@@ -57,7 +57,7 @@ TEST(TrimmingLoop, itsAreaIsExactAndItsPiecesAreMonotone) {
     }
 }
 
-TEST(TrimmingLoop, windsOnceAroundInsideAndNotOutside) {
+TEST(TrimmingLoop, winds_once_around_inside_and_not_outside) {
     const TrimmingLoop circle = circleLoop(LoopKind::outer, {0.5, 0.5}, 0.4);
     for (const double angle : sampleParameters(101)) {
         const Parameters direction(std::cos(2 * pi * angle), std::sin(2 * pi * angle));
@@ -67,7 +67,7 @@ TEST(TrimmingLoop, windsOnceAroundInsideAndNotOutside) {
     EXPECT_EQ(circleLoop(LoopKind::inner, {0.5, 0.5}, 0.4).winding({0.5, 0.5}), -1);
 }
 
-TEST(TrimmingLoop, closesSmallGapsToTheBit) {
+TEST(TrimmingLoop, closes_small_gaps_to_the_bit) {
     const double gap = 1e-8;
     const TrimmingLoop loop(LoopKind::outer, {line(Point(0, 0, 0), Point(1, gap, 0)),
                                               line(Point(1, 0, 0), Point(0.5, 1, 0)),
@@ -79,7 +79,7 @@ TEST(TrimmingLoop, closesSmallGapsToTheBit) {
     EXPECT_NEAR(loop.signedArea(), 0.5, gap);
 }
 
-TEST(TrimmingLoop, itsPolygonStaysWithinTheChordTolerance) {
+TEST(TrimmingLoop, its_polygon_stays_within_the_chord_tolerance) {
     const TrimmingLoop circle = circleLoop(LoopKind::outer, {0, 0}, 1);
     std::size_t before = 0;
     for (const double tolerance : {1e-1, 1e-3, 1e-5}) {
@@ -94,7 +94,7 @@ TEST(TrimmingLoop, itsPolygonStaysWithinTheChordTolerance) {
     EXPECT_LT(before, 4096u) << "chords get too short";
 }
 
-TEST(TrimmingLoop, refusesOpenLoopsAndSaysWhere) {
+TEST(TrimmingLoop, refuses_open_loops_and_says_where) {
     expectInputError([] { TrimmingLoop(LoopKind::outer, {}); }, {"no curve"});
     expectInputError(
         [] {
@@ -107,7 +107,7 @@ TEST(TrimmingLoop, refusesOpenLoopsAndSaysWhere) {
                      {"open", "(1, 0)"});
 }
 
-TEST(TrimmingLoop, refusesTheWrongDirection) {
+TEST(TrimmingLoop, refuses_the_wrong_direction) {
     const Polygon corners = {{0, 0}, {1, 0}, {1, 1}};
     expectInputError([&] { polygonLoop(LoopKind::inner, corners); },
                      {"inner", "counter-clockwise", "reverse"});
@@ -118,7 +118,7 @@ TEST(TrimmingLoop, refusesTheWrongDirection) {
         {"outer", "must run counter-clockwise"});
 }
 
-TEST(TrimmingLoop, refusesCrossingsTouchesAndSpikes) {
+TEST(TrimmingLoop, refuses_crossings_touches_and_spikes) {
     // A bow tie with unequal wings, so that it has an area.
     expectInputError(
         [] {
@@ -148,7 +148,7 @@ TEST(TrimmingLoop, refusesCrossingsTouchesAndSpikes) {
         {"crosses or touches itself at (0.5"});
 }
 
-TEST(TrimmingLoop, acceptsCuspsAndNarrowSlits) {
+TEST(TrimmingLoop, accepts_cusps_and_narrow_slits) {
     // Two circles touch at the origin: the loop leaves it and returns in one direction.
     const TrimmingLoop cusp(LoopKind::outer, {arc(Point(0, 2, 0), 2, -pi / 2, pi / 2),
                                               line(Point(0, 4, 0), Point(0, 2, 0)),
@@ -160,7 +160,7 @@ TEST(TrimmingLoop, acceptsCuspsAndNarrowSlits) {
     EXPECT_NEAR(slit.signedArea(), 1 - 0.4 * width, 1e-15);
 }
 
-TEST(TrimmingLoop, scaleAndPositionDoNotMatter) {
+TEST(TrimmingLoop, scale_and_position_do_not_matter) {
     for (const double scale : {1e-9, 1e9}) {
         for (const double shift : {0.0, 1e5}) {
             const double s = scale, o = shift * scale;

@@ -193,7 +193,7 @@ TEST(BadInput, Poissons_ratio_is_wanted_but_of_an_incompressible_material) {
               "no error");
 }
 
-TEST(BadInput, namesThatLeaveTheResultsFolderOrBreakAFileAreRefused) {
+TEST(BadInput, names_that_leave_the_results_folder_or_break_a_file_are_refused) {
     for (const char* name : {"../x", "a/b", ".hidden", "a<b", "\"a\\tb\""}) {
         EXPECT_THAT(mistake("name: " + std::string(name) + "\n" + exampleText()),
                     AllOf(HasSubstr("case.yaml:1:7: name: "), HasSubstr("cannot name results")))
@@ -202,7 +202,7 @@ TEST(BadInput, namesThatLeaveTheResultsFolderOrBreakAFileAreRefused) {
     EXPECT_EQ(mistake("name: flap-2 b_3.4\n" + exampleText()), "no error");
 }
 
-TEST(BadInput, watchPointNamesThatBreakATableAreRefused) {
+TEST(BadInput, watch_point_names_that_break_a_table_are_refused) {
     for (const char* name : {"my tip", "a#b", "'tip[m]'", "\"a\\nb\""}) {
         EXPECT_THAT(mistake(exampleText("{name: tip", "{name: " + std::string(name))),
                     AllOf(HasSubstr("name: "), HasSubstr("cannot name columns of a table")))
@@ -214,7 +214,7 @@ TEST(BadInput, watchPointNamesThatBreakATableAreRefused) {
                 HasSubstr("case.yaml:24:14: output.watchPoints[1].name: 'tip' is the name of two"));
 }
 
-TEST(BadInput, closedBeamIsToldThatItIsNotJoined) {
+TEST(BadInput, closed_beam_is_told_that_it_is_not_joined) {
     EXPECT_THAT(
         mistake(beamText("nurbs: {degree: [2], knotsXi: [0, 0, 0, 1, 2, 2, 2], "
                          "controlPoints: [[0, 0], [2, 0], [0, 2], [0, 0]]}")),

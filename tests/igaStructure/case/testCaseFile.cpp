@@ -235,7 +235,7 @@ void forEachEntry(const Schema& schema, void* options, const std::string& path,
 
 } // namespace
 
-TEST(CaseFile, everyEntryHasAUniquePathAndAMeaningAndItsDefaultIsInItsRange) {
+TEST(CaseFile, every_entry_has_a_unique_path_and_a_meaning_and_its_default_is_in_its_range) {
     for (const KinematicsType& kinematics : kinematicsTypes()) {
         std::set<std::string> paths;
         const auto body = kinematics.makeEntries();

@@ -122,7 +122,7 @@ TipMotion tipInAddedMass(const std::string& acceleration) {
 
 } // namespace
 
-TEST(CoupledRun, accelerationsFindTheDisplacementWhoseForcesCauseIt) {
+TEST(CoupledRun, accelerations_find_the_displacement_whose_forces_cause_it) {
     const TipMotion expected = tipInAddedMass("block");
     EXPECT_GT(expected.end, 1e-4);
     for (const coupling::CouplingMethodType& type : coupling::couplingMethods()) {

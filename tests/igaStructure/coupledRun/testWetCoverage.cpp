@@ -56,7 +56,7 @@ std::vector<double> fractions(const std::vector<WetPart>& parts) {
 
 } // namespace
 
-TEST(WetCoverage, allPartsAreReachedByFacesAroundThemWhateverTheirSize) {
+TEST(WetCoverage, all_parts_are_reached_by_faces_around_them_whatever_their_size) {
     for (const int nFaces : {1, 3, 40}) {
         const auto parts = wetCoverage(flap(), flapInterface(nFaces));
         EXPECT_EQ(fractions(parts), std::vector<double>({1, 1, 1})) << nFaces;
@@ -65,7 +65,7 @@ TEST(WetCoverage, allPartsAreReachedByFacesAroundThemWhateverTheirSize) {
     }
 }
 
-TEST(WetCoverage, anEdgeWithoutFacesIsNamedThoughItsEndsBelongToFaces) {
+TEST(WetCoverage, an_edge_without_faces_is_named_though_its_ends_belong_to_faces) {
     const auto parts = wetCoverage(flap(), without(flapInterface(6), 6, 7));
     EXPECT_EQ(fractions(parts), std::vector<double>({1, 0, 1}));
     try {
@@ -77,19 +77,19 @@ TEST(WetCoverage, anEdgeWithoutFacesIsNamedThoughItsEndsBelongToFaces) {
     }
 }
 
-TEST(WetCoverage, thePartOfAnEdgeThatIsReachedIsItsFraction) {
+TEST(WetCoverage, the_part_of_an_edge_that_is_reached_is_its_fraction) {
     // The upper half of the left edge is missing
     const auto parts = wetCoverage(flap(), without(flapInterface(8), 4, 8));
     EXPECT_EQ(fractions(parts), std::vector<double>({0.5, 1, 1}));
 }
 
-TEST(WetCoverage, facesOfTheOtherSideOfAThinBodyDoNotReachIt) {
+TEST(WetCoverage, faces_of_the_other_side_of_a_thin_body_do_not_reach_it) {
     // 0.1 m away from the left edge, faces of 1 m
     const auto parts = wetCoverage(flap(), without(flapInterface(1), 0, 1));
     EXPECT_EQ(fractions(parts), std::vector<double>({0, 1, 1}));
 }
 
-TEST(WetCoverage, aFaceOnAnEdgeThatIsNotWetIsRefusedThoughItsCornersLieOnOthers) {
+TEST(WetCoverage, a_face_on_an_edge_that_is_not_wet_is_refused_though_its_corners_lie_on_others) {
     EXPECT_NO_THROW(requireFacesOnBody(flap(), flapInterface(1)));
     try {
         requireFacesOnBody(flap({"left", "right"}), flapInterface(6));
@@ -101,7 +101,7 @@ TEST(WetCoverage, aFaceOnAnEdgeThatIsNotWetIsRefusedThoughItsCornersLieOnOthers)
     }
 }
 
-TEST(WetCoverage, chordsOfACylinderReachItAndHalfOfThemReachHalf) {
+TEST(WetCoverage, chords_of_a_cylinder_reach_it_and_half_of_them_reach_half) {
     const geometry::NurbsSurface surface =
         geometry::refine(geometry::cylinderPatch({0, 0, 0}, 1, 2, 0, 2 * M_PI), 2, 2, 8, 2);
     std::vector<int> indices(surface.nControlPoints());

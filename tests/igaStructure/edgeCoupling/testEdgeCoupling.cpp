@@ -125,7 +125,7 @@ double ux(const std::vector<std::vector<double>>& table, std::size_t point) {
 
 } // namespace
 
-TEST(EdgeCoupling, everyMethodGivesTheBarsLinearDisplacement) {
+TEST(EdgeCoupling, every_method_gives_the_bars_linear_displacement) {
     for (const coupling::CouplingMethodType& type : coupling::couplingMethods()) {
         if (type.name == "explicit") {
             continue; // one exchange
@@ -141,7 +141,7 @@ TEST(EdgeCoupling, everyMethodGivesTheBarsLinearDisplacement) {
     }
 }
 
-TEST(EdgeCoupling, theEdgesOwnElementsDoNotMatter) {
+TEST(EdgeCoupling, the_edges_own_elements_do_not_matter) {
     Plate right = rightPlate();
     right.degree = 1; // finite elements
     right.elements = {4, 7};
@@ -198,7 +198,7 @@ void expectSame(const std::vector<std::vector<double>>& table,
 
 } // namespace
 
-TEST(EdgeCoupling, twoHalvesOfACantileverMoveAsTheWholeOne) {
+TEST(EdgeCoupling, two_halves_of_a_cantilever_move_as_the_whole_one) {
     const std::string dynamic = "{step: 0.02, end: 0.4}", pull = "[\"sin(9*t)\", \"t\"]";
     const std::string newmark = "{scheme: newmark, step: 0.02, end: 0.4}";
     const std::string still = "{scheme: static, step: 1, end: 1}";
@@ -211,7 +211,7 @@ TEST(EdgeCoupling, twoHalvesOfACantileverMoveAsTheWholeOne) {
     }
 }
 
-TEST(EdgeCoupling, methodsAgreeInTime) {
+TEST(EdgeCoupling, methods_agree_in_time) {
     const Halves halves("linear", "{step: 0.02, end: 0.2}", "[\"sin(9*t)\", \"t\"]");
     const auto expected = alone(halves.whole);
     for (const char* method : {"aitken", "mvqn", "block"}) {
@@ -299,7 +299,7 @@ CoupledResult couple(const MembraneHalf& left, const MembraneHalf& right) {
 
 } // namespace
 
-TEST(EdgeCoupling, trimmedEdgesGiveTheBarsLinearDisplacementWhereverTheLineLies) {
+TEST(EdgeCoupling, trimmed_edges_give_the_bars_linear_displacement_wherever_the_line_lies) {
     for (const auto& [first, last, trim, rank] :
          {std::tuple(0.0, 4.0, 2.0, "8 x 8, rank 4"), std::tuple(0.0, 4.0, 2 - 1e-12, "rank 4"),
           std::tuple(0.0, 4.0, 2 + 1e-12, "rank 4"), std::tuple(-0.6, 4.0, 2.0, "12 x 12, rank 4"),
@@ -315,7 +315,7 @@ TEST(EdgeCoupling, trimmedEdgesGiveTheBarsLinearDisplacementWhereverTheLineLies)
     }
 }
 
-TEST(EdgeCoupling, halvesTrimmedOnAKnotLineMoveAsUntrimmedOnesWithTheSameFunctions) {
+TEST(EdgeCoupling, halves_trimmed_on_a_knot_line_move_as_untrimmed_ones_with_the_same_functions) {
     MembraneHalf left{true, 0, 4, 2}, right{false, 0, 4, 2};
     for (MembraneHalf* half : {&left, &right}) {
         half->poissonsRatio = 0.3;
@@ -330,7 +330,7 @@ TEST(EdgeCoupling, halvesTrimmedOnAKnotLineMoveAsUntrimmedOnesWithTheSameFunctio
     expectSame(trimmed.right, untrimmed.right, 1e-7);
 }
 
-TEST(EdgeCoupling, forceOfAThickPlateLoadsAThinOneWhole) {
+TEST(EdgeCoupling, force_of_a_thick_plate_loads_a_thin_one_whole) {
     Plate left = leftPlate();
     left.youngsModulus = 2000;
     Plate right = rightPlate();
@@ -346,7 +346,7 @@ TEST(EdgeCoupling, forceOfAThickPlateLoadsAThinOneWhole) {
     EXPECT_NEAR(ux(table, 2), 0.004, 1e-9);
 }
 
-TEST(EdgeCoupling, mistakesAreNamed) {
+TEST(EdgeCoupling, mistakes_are_named) {
     Plate dirichlet = leftPlate();
     dirichlet.coupling = "{interface: [right], side: dirichlet}";
     EXPECT_THAT(failureOf(dirichlet, rightPlate()),
@@ -374,13 +374,13 @@ TEST(EdgeCoupling, mistakesAreNamed) {
     EXPECT_THAT(failureOf(leftPlate(), unknown), AllOf(HasSubstr("lft"), HasSubstr("left")));
 }
 
-TEST(EdgeCoupling, stepsThatDoNotConvergeFailWithTheirResiduals) {
+TEST(EdgeCoupling, steps_that_do_not_converge_fail_with_their_residuals) {
     EXPECT_THAT(failureOf(leftPlate("constant"), rightPlate(", maxIterations: 2")),
                 AllOf(HasSubstr("do not agree after 2 coupling iterations"), HasSubstr("residuals"),
                       HasSubstr("tolerance 1e-08")));
 }
 
-TEST(EdgeCoupling, structuresInTwoProcessesMoveAsInOne) {
+TEST(EdgeCoupling, structures_in_two_processes_move_as_in_one) {
     const TemporaryDirectory directory;
     const std::string left = directory.write("left.yaml", leftPlate().text());
     const std::string right = directory.write("right.yaml", rightPlate().text());
@@ -396,7 +396,7 @@ TEST(EdgeCoupling, structuresInTwoProcessesMoveAsInOne) {
     EXPECT_EQ(table, couple(leftPlate(), rightPlate()).right);
 }
 
-TEST(EdgeCoupling, aMovedStructureDoesNotRunBesideAFluid) {
+TEST(EdgeCoupling, a_moved_structure_does_not_run_beside_a_fluid) {
     const TemporaryDirectory directory;
     ChildProgram program({"run", directory.write("right.yaml", rightPlate().text()), "--listen",
                           "unix:" + directory.file("socket")});

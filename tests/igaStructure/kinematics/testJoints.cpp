@@ -100,7 +100,7 @@ const std::string lifted = "loads: [{traction: [0, 0, 0.1]}]\n";
 
 } // namespace
 
-TEST(Joints, pipeAsSolidIsClosedAlongItsSeam) {
+TEST(Joints, pipe_as_solid_is_closed_along_its_seam) {
     // Lame's pipe in plane strain, radii 1 and 1.2 under 100 Pa inside.
     const auto radial = [](double r) { return 1.3e-6 * 100 / (1.44 - 1) * (0.4 * r + 1.44 / r); };
     const std::vector<double> motion = finalMotion(pipeText(""));
@@ -112,13 +112,13 @@ TEST(Joints, pipeAsSolidIsClosedAlongItsSeam) {
     EXPECT_THAT(checkCase(readText(pipeText(""))), HasSubstr(", closed along xi\n"));
 }
 
-TEST(Joints, pipeOpensWhereTheCaseSaysSlit) {
+TEST(Joints, pipe_opens_where_the_case_says_slit) {
     const std::string text = pipeText(", slit: yes");
     EXPECT_THAT(checkCase(readText(text)), Not(HasSubstr("closed")));
     EXPECT_GT(std::abs(finalMotion(text)[1]), 0.01);
 }
 
-TEST(Joints, planeRingVibratesAsAClosedRing) {
+TEST(Joints, plane_ring_vibrates_as_a_closed_ring) {
     // Without supports: three rigid motions, then twice the ovalling mode of a thin ring,
     // w^2 = E I / (rho A R^4) n^2 (n^2 - 1)^2 / (n^2 + 1) with n = 2 (Love).
     const auto frequencies = [](const std::string& slit) {
@@ -143,7 +143,7 @@ TEST(Joints, planeRingVibratesAsAClosedRing) {
     EXPECT_LT(open[3], 0.5 * expected);
 }
 
-TEST(Joints, annulusOfAShellStaysOpenWhereTheCaseSaysSlit) {
+TEST(Joints, annulus_of_a_shell_stays_open_where_the_case_says_slit) {
     const auto text = [](const std::string& slit) {
         return "geometry: {" + annulus(6, 10) + slit +
                "}\ndiscretisation: {degree: [3, 3], elements: [2, 2]}\n"
@@ -163,7 +163,7 @@ TEST(Joints, annulusOfAShellStaysOpenWhereTheCaseSaysSlit) {
                 AllOf(HasSubstr("1 patch with 0 joints,"), Not(HasSubstr("coincide"))));
 }
 
-TEST(Joints, platesWhoseFileSharesNoEdgeAreJoinedWhereTheyTouch) {
+TEST(Joints, plates_whose_file_shares_no_edge_are_joined_where_they_touch) {
     const double tip = finalMotion(plates(platesWithoutEdge(), clamped + lifted))[3];
     // One plate of the same length and elements, clamped at the same end.
     std::string whole = plates("plate: {origin: [0, 0, 0], edgeXi: [12, 0, 0], edgeEta: [0, 4, 0]}",
@@ -176,13 +176,13 @@ TEST(Joints, platesWhoseFileSharesNoEdgeAreJoinedWhereTheyTouch) {
                           "1.1-2.3\n"));
 }
 
-TEST(Joints, patchThatNothingSupportsOrJoinsIsRefused) {
+TEST(Joints, patch_that_nothing_supports_or_joins_is_refused) {
     EXPECT_THAT(
         messageOf(plates(platesWithoutEdge() + ", slit: yes", clamped + lifted)),
         HasSubstr("supports: nothing supports or joins: patch 2; let their edges coincide"));
 }
 
-TEST(Joints, pressureOnAFaceWithSwappedNormalActsTheOtherWay) {
+TEST(Joints, pressure_on_a_face_with_swapped_normal_acts_the_other_way) {
     const TemporaryDirectory directory;
     std::ifstream file(caseFile("platesWithoutEdge.cad.json"));
     std::string content((std::istreambuf_iterator<char>(file)), {});
@@ -198,7 +198,7 @@ TEST(Joints, pressureOnAFaceWithSwappedNormalActsTheOtherWay) {
     EXPECT_NEAR(finalMotion(plates(swapped, loads))[3], -tip, 1e-6 * tip);
 }
 
-TEST(Joints, edgeThatIsAPointRuns) {
+TEST(Joints, edge_that_is_a_point_runs) {
     const std::string text = "geometry: {cadJson: " + caseFile("edgeAtPole.cad.json") +
                              "}\ndiscretisation: {degree: [2, 2], elements: [2, 2]}\n"
                              "model: {kinematics: shell, strains: linear, thickness: 0.01}\n"
@@ -211,7 +211,7 @@ TEST(Joints, edgeThatIsAPointRuns) {
         runAlone(readCase(directory.write("case.yaml", text)), [](const std::string&) {}));
 }
 
-TEST(Joints, remarksOnACadFileAreInTheLog) {
+TEST(Joints, remarks_on_a_cad_file_are_in_the_log) {
     EXPECT_THAT(checkCase(readText(plates(platesWithoutEdge(), clamped + lifted))),
                 Not(HasSubstr("note: ")));
     std::ifstream file(caseFile("platesWithoutEdge.cad.json"));
@@ -225,7 +225,7 @@ TEST(Joints, remarksOnACadFileAreInTheLog) {
                 AllOf(HasSubstr("  note: "), HasSubstr("1 vertices are not used")));
 }
 
-TEST(Joints, controlPointFarAwayIsRead) {
+TEST(Joints, control_point_far_away_is_read) {
     const std::string text = "geometry: {cadJson: " + caseFile("farControlPoint.cad.json") +
                              "}\ndiscretisation: {degree: [3, 3], elements: [2, 2]}\n"
                              "model: {kinematics: shell, strains: linear, thickness: 0.01}\n"
@@ -238,7 +238,7 @@ TEST(Joints, controlPointFarAwayIsRead) {
                       Not(HasSubstr("slenderness"))));
 }
 
-TEST(Joints, edgesAreJoinedUpToTheToleranceOfTheCase) {
+TEST(Joints, edges_are_joined_up_to_the_tolerance_of_the_case) {
     // The second plate lies 1e-4 above the first; the file's tolerance is 1e-3.
     std::ifstream file(caseFile("platesWithoutEdge.cad.json"));
     std::string cad{std::istreambuf_iterator<char>(file), {}};

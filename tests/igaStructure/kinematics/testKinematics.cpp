@@ -124,7 +124,7 @@ class EachKinematics : public testing::TestWithParam<Member> {
 
 } // namespace
 
-TEST_P(EachKinematics, forceAndTangentAreDerivativesOfTheEnergy) {
+TEST_P(EachKinematics, force_and_tangent_are_derivatives_of_the_energy) {
     const std::unique_ptr<Body> body = this->body();
     if (!body) {
         return;
@@ -142,14 +142,14 @@ TEST_P(EachKinematics, forceAndTangentAreDerivativesOfTheEnergy) {
     EXPECT_NEAR(force.dot(v), work, 1e-6 * force.norm() * v.norm());
 }
 
-TEST_P(EachKinematics, describesItsMaterial) {
+TEST_P(EachKinematics, describes_its_material) {
     const std::unique_ptr<Body> body = this->body();
     if (body && isContinuum(GetParam())) {
         EXPECT_THAT(body->description(), HasSubstr(lawOf(GetParam().material)));
     }
 }
 
-TEST_P(EachKinematics, fieldsAreFiniteAndHaveTheirComponents) {
+TEST_P(EachKinematics, fields_are_finite_and_have_their_components) {
     const std::unique_ptr<Body> body = this->body();
     if (!body) {
         return;

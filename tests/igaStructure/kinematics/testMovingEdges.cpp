@@ -81,7 +81,7 @@ const std::vector<Vector3d> pointsOfPlate = {{0.3, 0.2, 0}, {1.1, 0.7, 0}, {1.9,
 
 } // namespace
 
-TEST(MovingEdges, linearFieldOnTheBoundaryOfAPlaneSolidFillsIt) {
+TEST(MovingEdges, linear_field_on_the_boundary_of_a_plane_solid_fills_it) {
     for (const std::string strains : {"linear", "nonlinear"}) {
         const auto body =
             makePart({"rectangle: {origin: [0, 0], size: [2, 1]}",
@@ -93,7 +93,7 @@ TEST(MovingEdges, linearFieldOnTheBoundaryOfAPlaneSolidFillsIt) {
     }
 }
 
-TEST(MovingEdges, linearFieldOnTheBoundaryOfASolidFillsIt) {
+TEST(MovingEdges, linear_field_on_the_boundary_of_a_solid_fills_it) {
     std::string supports;
     for (const char* face : {"left", "right", "bottom", "top", "back", "front"}) {
         supports += std::string("  - {faces: [") + face +
@@ -111,7 +111,7 @@ TEST(MovingEdges, linearFieldOnTheBoundaryOfASolidFillsIt) {
               1e-11);
 }
 
-TEST(MovingEdges, edgesAndCornersOfASolidMoveByThemselves) {
+TEST(MovingEdges, edges_and_corners_of_a_solid_move_by_themselves) {
     // Three edges that meet in a corner, of which one moves, and stretches.
     const auto body = makePart(
         {"block: {origin: [0, 0, 0], size: [2, 1, 1]}", "{kinematics: solid, strains: linear}",
@@ -134,7 +134,7 @@ class MovingPlate : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Methods, MovingPlate,
                          testing::Values("exact", "penalty", "nitsche", "lagrange"));
 
-TEST_P(MovingPlate, followsALinearFieldOfItsEdges) {
+TEST_P(MovingPlate, follows_a_linear_field_of_its_edges) {
     const bool exact = GetParam() == "exact";
     const std::string method = exact ? "nitsche" : GetParam();
     for (const std::string kinematics : {"membrane", "shell"}) {
@@ -160,7 +160,7 @@ TEST_P(MovingPlate, followsALinearFieldOfItsEdges) {
     }
 }
 
-TEST(MovingEdges, weakEdgeWithoutStrainIsFollowedExactly) {
+TEST(MovingEdges, weak_edge_without_strain_is_followed_exactly) {
     // A rigid motion has no traction, so that springs are not strained.
     for (const std::string method : {"penalty", "lagrange"}) {
         const auto body = makePart(
@@ -179,7 +179,7 @@ TEST(MovingEdges, weakEdgeWithoutStrainIsFollowedExactly) {
     }
 }
 
-TEST(MovingEdges, turnAShellByALargeRotationWithoutStrain) {
+TEST(MovingEdges, turn_a_shell_by_a_large_rotation_without_strain) {
     // By 2 t about the axis y = 0, z = 0, at two edges of a plate.
     const std::string turn = "\"0\", \"y*(cos(2*t)-1)-z*sin(2*t)\", \"y*sin(2*t)+z*(cos(2*t)-1)\"";
     for (const std::string weak : {"no", "yes"}) {
@@ -202,7 +202,7 @@ TEST(MovingEdges, turnAShellByALargeRotationWithoutStrain) {
     }
 }
 
-TEST(MovingEdges, pointOfAShellMovesExactlyWhereItsBasisInterpolates) {
+TEST(MovingEdges, point_of_a_shell_moves_exactly_where_its_basis_interpolates) {
     const auto body =
         makePart({"rectangle: {origin: [0, 0], size: [2, 1]}",
                   "{kinematics: shell, strains: linear, thickness: 0.05}",
@@ -216,7 +216,7 @@ TEST(MovingEdges, pointOfAShellMovesExactlyWhereItsBasisInterpolates) {
     EXPECT_NEAR(found(2, 1), 0.02, 1e-5); // by a spring a thousand times as stiff as an element
 }
 
-TEST(MovingEdges, clampedEdgeMovesWithoutTurning) {
+TEST(MovingEdges, clamped_edge_moves_without_turning) {
     // Between clamps of which one moves across: w = 0.1 (3 s^2 - 2 s^3).
     const auto body = makePart({"rectangle: {origin: [0, 0], size: [2, 1]}",
                                 "{kinematics: shell, strains: linear, thickness: 0.05}",
@@ -233,7 +233,7 @@ TEST(MovingEdges, clampedEdgeMovesWithoutTurning) {
     EXPECT_LT(largestError(*body, solved(*body), locationsOf(*body, pointsOfPlate), field), 1e-9);
 }
 
-TEST(MovingEdges, endOfABeamMoves) {
+TEST(MovingEdges, end_of_a_beam_moves) {
     // A cantilever whose end is lifted: w = 0.05 (3 s^2 - s^3), turning freely.
     const auto body = makePart({"line: {from: [0, 0], to: [2, 0]}",
                                 "{kinematics: beam, strains: linear, thickness: 0.05}",
@@ -249,7 +249,7 @@ TEST(MovingEdges, endOfABeamMoves) {
               1e-10);
 }
 
-TEST(MovingEdges, whatASupportHoldsAtRestStaysThere) {
+TEST(MovingEdges, what_a_support_holds_at_rest_stays_there) {
     // The corner belongs to both edges.
     const auto body = makePart({"rectangle: {origin: [0, 0], size: [2, 1]}",
                                 "{kinematics: planeStress, strains: linear, thickness: 1}",
@@ -262,7 +262,7 @@ TEST(MovingEdges, whatASupportHoldsAtRestStaysThere) {
     EXPECT_NEAR(found(1, 1), 0.1, 0.05); // the best fit of what jumps
 }
 
-TEST(MovingEdges, mistakesInDisplacementsAreNamed) {
+TEST(MovingEdges, mistakes_in_displacements_are_named) {
     const auto messageOf = [](const std::string& kinematics, const std::string& support) {
         try {
             makePart({kinematics == "beam" ? "line: {from: [0, 0], to: [1, 0]}"

@@ -47,7 +47,7 @@ std::map<std::string, double> reactions(Body& body, const Coordinates& about = {
 
 } // namespace
 
-TEST(Reactions, ofAPlaneCantileverBalanceForceAndMoment) {
+TEST(Reactions, of_a_plane_cantilever_balance_force_and_moment) {
     // A traction p along x on the left edge, x = 0 and y from 0 to 1, about (0.2, 0.3).
     const auto body = makePart(
         "rectangle: {origin: [0, 0], size: [0.4, 1]}", "{kinematics: planeStrain, strains: linear}",
@@ -60,7 +60,7 @@ TEST(Reactions, ofAPlaneCantileverBalanceForceAndMoment) {
     EXPECT_EQ(found.size(), 3U);
 }
 
-TEST(Reactions, ofTwoSupportsAddUpToTheLoads) {
+TEST(Reactions, of_two_supports_add_up_to_the_loads) {
     for (const std::string strains : {"linear", "nonlinear"}) {
         const auto body =
             makePart("block: {origin: [0, 0, 0], size: [2, 1, 1]}",
@@ -76,7 +76,7 @@ TEST(Reactions, ofTwoSupportsAddUpToTheLoads) {
     }
 }
 
-TEST(Reactions, ofWeakEdgesAreTheForcesOfTheirMethod) {
+TEST(Reactions, of_weak_edges_are_the_forces_of_their_method) {
     for (const std::string method : {"penalty", "nitsche", "lagrange"}) {
         for (const std::string weak : {"no", "yes"}) {
             const auto body = makePart(
@@ -94,7 +94,7 @@ TEST(Reactions, ofWeakEdgesAreTheForcesOfTheirMethod) {
     }
 }
 
-TEST(Reactions, ofAMovedWeakEdgeAreThoseOfTheExactOne) {
+TEST(Reactions, of_a_moved_weak_edge_are_those_of_the_exact_one) {
     const auto lifted = [](const std::string& weak) {
         const auto body = makePart("rectangle: {origin: [0, 0], size: [2, 1]}",
                                    "{kinematics: shell, strains: linear, thickness: 0.1}",
@@ -112,7 +112,7 @@ TEST(Reactions, ofAMovedWeakEdgeAreThoseOfTheExactOne) {
     EXPECT_NEAR(lifted("no"), 3 * 1e6 * 1e-3 / 12 * 0.1 / 8, 0.1 * lifted("no"));
 }
 
-TEST(Reactions, ofAClampedBeamHaveItsMoment) {
+TEST(Reactions, of_a_clamped_beam_have_its_moment) {
     const auto body =
         makePart("line: {from: [0, 0], to: [1.2, 1.6]}",
                  "{kinematics: beam, strains: linear, thickness: 0.1}",

@@ -122,7 +122,7 @@ TEST(Advise, says_which_fluid_resists_as_much_as_the_structure) {
                           "s, on one side of 0.27 s: explicit coupling needs much larger ones\n"));
 }
 
-TEST(Advise, saysThatTheCavitysFloorIsStiffenedByTension) {
+TEST(Advise, says_that_the_cavitys_floor_is_stiffened_by_tension) {
     // Clamped at both ends: a period of 2 pi / 22.37 sqrt(m L^4 / E I) = 688 s at rest. The
     // deflection w of Duffing's beam: 1 + (w / t)^2 (E A / 2 L) (integral of w'^2) is more than
     // half as stiff again at its thickness.
@@ -144,7 +144,7 @@ TEST(Advise, saysThatTheCavitysFloorIsStiffenedByTension) {
     EXPECT_THAT(adviceOn(text), Not(HasSubstr("moved by its thickness"))); // a cantilever
 }
 
-TEST(Advise, thicknessOfANanometreIsInNoRange) {
+TEST(Advise, thickness_of_a_nanometre_is_in_no_range) {
     EXPECT_THAT(adviceOn(variantOfBeam("thickness: 0.1", "thickness: 1e-9")),
                 HasSubstr("check the unit of the thickness"));
     const std::string shell =

@@ -147,7 +147,7 @@ TEST(ArcLength, loads_without_a_factor_of_time_are_reported) {
     }
 }
 
-TEST(ArcLength, endsExactlyAtTheEndAlthoughLoadsAreDefinedUpToThereOnly) {
+TEST(ArcLength, ends_exactly_at_the_end_although_loads_are_defined_up_to_there_only) {
     // The load is no number beyond the end, where it is 0.12; its limit is 0.19.
     for (const double firstStep : {0.15, 0.04, 0.011}) {
         Beam line = truss(0.1, 1000, "t > 0.15 ? sqrt(-1) : -0.8*t");
@@ -159,7 +159,7 @@ TEST(ArcLength, endsExactlyAtTheEndAlthoughLoadsAreDefinedUpToThereOnly) {
     }
 }
 
-TEST(ArcLength, iterateOutsideTheRangeOfLoadsIsAFailedStepAndNotTheFormulasFault) {
+TEST(ArcLength, iterate_outside_the_range_of_loads_is_a_failed_step_and_not_the_formulas_fault) {
     // A path that turns back at t = 0.19: the prediction of a long first step goes beyond
     // 0.25, where the load is no number.
     Beam line = truss(0.1, 1000, "t > 0.25 ? 1/0 : -t");
@@ -170,7 +170,7 @@ TEST(ArcLength, iterateOutsideTheRangeOfLoadsIsAFailedStepAndNotTheFormulasFault
     EXPECT_LE(path.state().time, limitLoad(0.1, 1000) * (1 + 1e-8));
 }
 
-TEST(ArcLength, stepsGrowOnAnEasyPathUpToTheirLimit) {
+TEST(ArcLength, steps_grow_on_an_easy_path_up_to_their_limit) {
     Springs springs(
         1, [](double u) { return u + 0.01 * u * u * u; },
         [](double u) { return 1 + 0.03 * u * u; });
@@ -189,7 +189,7 @@ TEST(ArcLength, stepsGrowOnAnEasyPathUpToTheirLimit) {
     EXPECT_EQ(path.state().time, 1);
 }
 
-TEST(ArcLength, endsIterationsAtTheRoundingErrorOfInternalForces) {
+TEST(ArcLength, ends_iterations_at_the_rounding_error_of_internal_forces) {
     // A noise of a fifth of the rounding error of a stiffness of 1e6, and no tolerance.
     Springs springs(
         2,
@@ -206,7 +206,7 @@ TEST(ArcLength, endsIterationsAtTheRoundingErrorOfInternalForces) {
     EXPECT_NEAR(path.state().displacement[0], std::sqrt(35.0) - 5, 1e-12);
 }
 
-TEST(ArcLength, pathThatEndsIsReportedWithTheReason) {
+TEST(ArcLength, path_that_ends_is_reported_with_the_reason) {
     Springs springs(
         1, [](double u) { return u < 0.5 ? u : NAN; }, [](double) { return 1; });
     springs.load = [](double t) { return t; };
@@ -223,7 +223,7 @@ TEST(ArcLength, pathThatEndsIsReportedWithTheReason) {
     }
 }
 
-TEST(FindLimitPoint, findsTheTrussesLimitAndNoneBelowIt) {
+TEST(FindLimitPoint, finds_the_trusses_limit_and_none_below_it) {
     const double limit = limitLoad(0.1, 1000);
     Beam line = truss(0.1, 1000);
     MotionState rest;
@@ -235,7 +235,7 @@ TEST(FindLimitPoint, findsTheTrussesLimitAndNoneBelowIt) {
     EXPECT_FALSE(findLimitPoint(line, {}, rest, 0.9 * limit).has_value());
 }
 
-TEST(FindLimitPoint, isNamedWhereStaticLoadStepsFail) {
+TEST(FindLimitPoint, is_named_where_static_load_steps_fail) {
     Beam line = truss(0.1, 1000, "-t");
     ImplicitStepper stepper(line, TimeScheme::quasiStatic(), {}, 0.05);
     std::string message;
@@ -251,7 +251,7 @@ TEST(FindLimitPoint, isNamedWhereStaticLoadStepsFail) {
     EXPECT_THAT(message, HasSubstr("time.scheme arcLength"));
 }
 
-TEST(FindLimitPoint, isNotNamedWhereThereIsNone) {
+TEST(FindLimitPoint, is_not_named_where_there_is_none) {
     // A column that buckles has a second path, but its own does not end.
     ExampleBeam kind;
     kind.loads.ends.push_back(endForce("-10*t", "0"));

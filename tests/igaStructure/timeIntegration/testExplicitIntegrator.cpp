@@ -30,7 +30,7 @@ ExampleBeam loadedBeam(Strains strains) {
 
 } // namespace
 
-TEST(ExplicitIntegrator, stableStepIsThatOfTheHighestFrequency) {
+TEST(ExplicitIntegrator, stable_step_is_that_of_the_highest_frequency) {
     Beam line = loadedBeam(Strains::linear).build();
     ExplicitIntegrator integrator(line, 0);
     SparseMatrix tangent;
@@ -52,7 +52,7 @@ TEST(ExplicitIntegrator, stableStepIsThatOfTheHighestFrequency) {
     EXPECT_NEAR(estimate, exact, 0.02 * exact); // 0.5 % below by choice, power iteration 1 %
 }
 
-TEST(ExplicitIntegrator, lumpedMassIsTheMassOfTheBody) {
+TEST(ExplicitIntegrator, lumped_mass_is_the_mass_of_the_body) {
     const PlaneSolid solid = makeExample({Kinematics::planeStress, Strains::linear, false});
     const SparseMatrix mass = solid.lumpedMassMatrix();
     EXPECT_NEAR(mass.sum(), 2 * 3000 * 0.1 * 0.2, 1e-9);
@@ -62,7 +62,7 @@ TEST(ExplicitIntegrator, lumpedMassIsTheMassOfTheBody) {
     EXPECT_NEAR(free.build().lumpedMassMatrix().sum(), 2 * 10 * 10, 1e-9);
 }
 
-TEST(ExplicitIntegrator, nonlinearBeamMovesAsWithTheImplicitScheme) {
+TEST(ExplicitIntegrator, nonlinear_beam_moves_as_with_the_implicit_scheme) {
     ExampleBeam kind = loadedBeam(Strains::nonlinear);
     kind.elements = 16;
     Beam line = kind.build();
@@ -86,7 +86,7 @@ TEST(ExplicitIntegrator, nonlinearBeamMovesAsWithTheImplicitScheme) {
                 0.01 * energies.externalWork);
 }
 
-TEST(ExplicitIntegrator, massDampingSlowsAFreeBodyByItsRateHalfAPartLate) {
+TEST(ExplicitIntegrator, mass_damping_slows_a_free_body_by_its_rate_half_a_part_late) {
     PlaneMaterial material = exampleMaterial(Kinematics::planeStrain);
     material.massDamping = 3;
     Loads loads;
@@ -108,7 +108,7 @@ TEST(ExplicitIntegrator, massDampingSlowsAFreeBodyByItsRateHalfAPartLate) {
     EXPECT_GT(energies.dampingWork, energies.kinetic);
 }
 
-TEST(ExplicitIntegrator, stiffnessDampingIsRefused) {
+TEST(ExplicitIntegrator, stiffness_damping_is_refused) {
     PlaneMaterial material = exampleMaterial(Kinematics::planeStrain);
     material.stiffnessDamping = 0.1;
     PlaneSolid solid(geometry::refine(geometry::rectangle({0, 0, 0}, 0.1, 1), 2, 3, 1, 4), material,
@@ -116,7 +116,7 @@ TEST(ExplicitIntegrator, stiffnessDampingIsRefused) {
     EXPECT_THROW(ExplicitIntegrator(solid, 0), InputError);
 }
 
-TEST(ExplicitIntegrator, flapRunsFromItsCaseFile) {
+TEST(ExplicitIntegrator, flap_runs_from_its_case_file) {
     const TemporaryDirectory directory;
     runAlone(readCase(directory.write("case.yaml",
                                       exampleText("time:\n", "time:\n  scheme: explicit\n"))),

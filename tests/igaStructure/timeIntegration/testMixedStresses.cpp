@@ -86,21 +86,21 @@ void expectSecondOrder(const StructuralModel& model, double size) {
 
 } // namespace
 
-TEST(MixedStresses, thinBeamRollsUpInFewerIterations) {
+TEST(MixedStresses, thin_beam_rolls_up_in_fewer_iterations) {
     Beam beam = thinBeam();
     expectFewerIterations(beam);
 }
 
-TEST(MixedStresses, thinShellRollsUpInFewerIterations) {
+TEST(MixedStresses, thin_shell_rolls_up_in_fewer_iterations) {
     Shell shell = thinShell();
     expectFewerIterations(shell);
 }
 
-TEST(MixedStresses, beamsTangentDiffersFromTheExactOneInSecondOrder) {
+TEST(MixedStresses, beams_tangent_differs_from_the_exact_one_in_second_order) {
     expectSecondOrder(ExampleBeam().build(), 1);
 }
 
-TEST(MixedStresses, shellsTangentDiffersFromTheExactOneInSecondOrder) {
+TEST(MixedStresses, shells_tangent_differs_from_the_exact_one_in_second_order) {
     expectSecondOrder(Shell(exampleShell()), 0.1);
     ShellDescription neoHookean = exampleShell();
     neoHookean.material.law = MaterialLaw::neoHookean;

@@ -48,7 +48,7 @@ INSTANTIATE_TEST_SUITE_P(Cubic, MovingSupports, testing::Values(0.0, 300.0));
 
 } // namespace
 
-TEST_P(MovingSupports, carryAnUnloadedStructureRigidlyInAStaticAnalysis) {
+TEST_P(MovingSupports, carry_an_unloaded_structure_rigidly_in_a_static_analysis) {
     SpringChain chain = this->chain([](double t) { return 3 * t * t - t; });
     TimeIntegrator integrator(chain, TimeScheme::quasiStatic(), tight, 0);
     advance(integrator, 4);
@@ -57,7 +57,7 @@ TEST_P(MovingSupports, carryAnUnloadedStructureRigidlyInAStaticAnalysis) {
     EXPECT_EQ(integrator.state().displacement[2], 3 * 0.2 * 0.2 - 0.2);
 }
 
-TEST_P(MovingSupports, carryAStructureRigidlyWhoseLoadsAccelerateItAsThey) {
+TEST_P(MovingSupports, carry_a_structure_rigidly_whose_loads_accelerate_it_as_they) {
     SpringChain chain = this->chain([](double t) { return 0.5 * 3 * t * t; });
     chain.load = [&](double) { return 3 * chain.mass; };
     // Constant acceleration is exact for every scheme of the family, and of a support
@@ -71,7 +71,7 @@ TEST_P(MovingSupports, carryAStructureRigidlyWhoseLoadsAccelerateItAsThey) {
     }
 }
 
-TEST(MovingSupport, excitesABodyAsTheClosedFormSays) {
+TEST(MovingSupport, excites_a_body_as_the_closed_form_says) {
     // m u'' + k (u - d) = 0 with d = a t^2/2 from rest: u = d - (a m/k) (1 - cos w t).
     const double acceleration = 2;
     const auto error = [&](const TimeScheme& scheme, int nSteps) {
@@ -93,7 +93,7 @@ TEST(MovingSupport, excitesABodyAsTheClosedFormSays) {
     }
 }
 
-TEST_P(MovingSupports, doTheWorkThatTheTrapezoidalRuleKeeps) {
+TEST_P(MovingSupports, do_the_work_that_the_trapezoidal_rule_keeps) {
     // The motion begins with a velocity: an impact on the support's own mass.
     SpringChain chain = this->chain([](double t) { return 0.1 * std::sin(6 * t); });
     chain.damping = 0.7;
@@ -108,7 +108,7 @@ TEST_P(MovingSupports, doTheWorkThatTheTrapezoidalRuleKeeps) {
     EXPECT_NEAR(balance, 0, (GetParam() == 0 ? 1e-11 : 2e-2) * energies.externalWork);
 }
 
-TEST_P(MovingSupports, beginWithTheRatesOfTheirMotion) {
+TEST_P(MovingSupports, begin_with_the_rates_of_their_motion) {
     SpringChain chain = this->chain([](double t) { return 0.3 * t + 0.2 * t * t; });
     TimeIntegrator integrator(chain, TimeScheme::newmark(0.25, 0.5), tight, 0);
     integrator.startSupports(deltaT);
@@ -118,7 +118,7 @@ TEST_P(MovingSupports, beginWithTheRatesOfTheirMotion) {
     EXPECT_NEAR(integrator.energies().externalWork, 0.5 * chain.mass * 0.09, 1e-12);
 }
 
-TEST_P(MovingSupports, reactToWhatTheyMove) {
+TEST_P(MovingSupports, react_to_what_they_move) {
     SpringChain chain = this->chain([](double t) { return 0.1 * t * t; });
     chain.load = [](double t) { return 5 * t; };
     TimeIntegrator atRest(chain, TimeScheme::quasiStatic(), tight, 0);
@@ -145,7 +145,7 @@ TEST_P(MovingSupports, reactToWhatTheyMove) {
     }
 }
 
-TEST_P(MovingSupports, areFollowedInCoupledRunsToo) {
+TEST_P(MovingSupports, are_followed_in_coupled_runs_too) {
     SpringChain chain = this->chain([](double t) { return 0.4 * t * t; });
     const TimeScheme scheme = TimeScheme::generalisedAlpha(0.8);
     TimeIntegrator whole(chain, scheme, tight, 0);
@@ -166,7 +166,7 @@ TEST_P(MovingSupports, areFollowedInCoupledRunsToo) {
     EXPECT_LT((parts.requiredForce(d) - force).norm(), 1e-9);
 }
 
-TEST_P(MovingSupports, moveInEachSubstep) {
+TEST_P(MovingSupports, move_in_each_substep) {
     SpringChain chain = this->chain([](double t) { return 0.1 * std::sin(6 * t); });
     const TimeScheme scheme = TimeScheme::newmark(0.25, 0.5);
     SubsteppedIntegrator substeps(chain, scheme, tight, 0, 4);
@@ -181,7 +181,7 @@ TEST_P(MovingSupports, moveInEachSubstep) {
     EXPECT_LT((substeps.state().reaction - steps.state().reaction).norm(), 1e-8);
 }
 
-TEST_P(MovingSupports, goOnFromASavedState) {
+TEST_P(MovingSupports, go_on_from_a_saved_state) {
     SpringChain chain = this->chain([](double t) { return 0.1 * std::sin(6 * t); });
     const TimeScheme scheme = TimeScheme::generalisedAlpha(0.8);
     TimeIntegrator whole(chain, scheme, tight, 0);
@@ -198,7 +198,7 @@ TEST_P(MovingSupports, goOnFromASavedState) {
     EXPECT_EQ(whole.energies().externalWork, later.energies().externalWork);
 }
 
-TEST_P(MovingSupports, moveAnExplicitStructureAsAnImplicitOne) {
+TEST_P(MovingSupports, move_an_explicit_structure_as_an_implicit_one) {
     SpringChain chain = this->chain([](double t) { return 0.1 * t * t * (1 + t); });
     ExplicitIntegrator centralDifferences(chain, 0);
     TimeIntegrator implicit(chain, TimeScheme::generalisedAlpha(0.5), tight, 0);
@@ -222,7 +222,7 @@ TEST_P(MovingSupports, moveAnExplicitStructureAsAnImplicitOne) {
                 1e-4 * energies.externalWork);
 }
 
-TEST(MovingSupport, isFollowedByThePathOfArcLength) {
+TEST(MovingSupport, is_followed_by_the_path_of_arc_length) {
     // Between two supports that part, a cubic chain stretches evenly.
     SpringChain chain(
         {[](double) { return 0.0; }, std::nullopt, [](double t) { return t * (1 + t); }});
@@ -239,7 +239,7 @@ TEST(MovingSupport, isFollowedByThePathOfArcLength) {
     }
 }
 
-TEST(MovingSupport, thatIsDisplacedAtTheStartIsRefusedInDynamics) {
+TEST(MovingSupport, that_is_displaced_at_the_start_is_refused_in_dynamics) {
     SpringChain chain = threeBodies([](double t) { return 0.5 + t; });
     const auto hint = testing::ThrowsMessage<InputError>(
         testing::AllOf(testing::HasSubstr("0.5 m at the start"), testing::HasSubstr("static")));
@@ -285,7 +285,7 @@ SpringChain reducedChain(const SpringChain& whole) {
 
 } // namespace
 
-TEST(DependentUnknown, leavesTheReducedSystem) {
+TEST(DependentUnknown, leaves_the_reduced_system) {
     for (const TimeScheme& scheme : {TimeScheme::quasiStatic(), TimeScheme::newmark(0.25, 0.5),
                                      TimeScheme::newmark(0.3, 0.6)}) {
         SpringChain whole = dependentChain();
@@ -304,7 +304,7 @@ TEST(DependentUnknown, leavesTheReducedSystem) {
     }
 }
 
-TEST(DependentUnknown, isSolvedForByNewtonsMethodWithItsTangent) {
+TEST(DependentUnknown, is_solved_for_by_newtons_method_with_its_tangent) {
     SpringChain chain = dependentChain();
     chain.cubic = 300;
     TimeIntegrator integrator(chain, TimeScheme::quasiStatic(), tight, 0);
@@ -320,7 +320,7 @@ TEST(DependentUnknown, isSolvedForByNewtonsMethodWithItsTangent) {
     EXPECT_LT(residuals.back(), std::max(10 * last * last, 1e-15));
 }
 
-TEST(DependentUnknown, isMovedByExplicitStepsAsByImplicitOnes) {
+TEST(DependentUnknown, is_moved_by_explicit_steps_as_by_implicit_ones) {
     SpringChain chain = dependentChain();
     ExplicitIntegrator centralDifferences(chain, 0);
     TimeIntegrator trapezoidalRule(chain, TimeScheme::newmark(0.25, 0.5), tight, 0);
@@ -335,7 +335,7 @@ TEST(DependentUnknown, isMovedByExplicitStepsAsByImplicitOnes) {
     EXPECT_LT((centralDifferences.state().displacement - expected).norm(), 1e-5 * expected.norm());
 }
 
-TEST(DependentUnknown, limitsTheExplicitStepByTheReducedSystem) {
+TEST(DependentUnknown, limits_the_explicit_step_by_the_reduced_system) {
     SpringChain chain = dependentChain();
     ExplicitIntegrator integrator(chain, 0);
     const double omega = std::sqrt((2 - share) * chain.stiffness / chain.mass);
@@ -343,7 +343,7 @@ TEST(DependentUnknown, limitsTheExplicitStepByTheReducedSystem) {
     EXPECT_NEAR(integrator.stableStep(VectorXd::Zero(3)), 2 / omega / std::sqrt(1.01), 1e-12);
 }
 
-TEST(DependentUnknown, vibratesWithTheBodyOnWhichItDepends) {
+TEST(DependentUnknown, vibrates_with_the_body_on_which_it_depends) {
     SpringChain chain(
         {[](double) { return 0.0; }, std::nullopt, offset, std::nullopt, std::nullopt});
     SparseMatrix dependence(5, 5);

@@ -17,7 +17,7 @@ using namespace tokay::structure;
 using Eigen::MatrixXd;
 using testing::HasSubstr;
 
-TEST(NaturalModes, cantileverHasTheFrequenciesOfEulerAndBernoulli) {
+TEST(NaturalModes, cantilever_has_the_frequencies_of_euler_and_bernoulli) {
     ExampleBeam kind;
     kind.strains = Strains::linear;
     kind.elements = 32;
@@ -30,7 +30,7 @@ TEST(NaturalModes, cantileverHasTheFrequenciesOfEulerAndBernoulli) {
     }
 }
 
-TEST(NaturalModes, shapesAreOrthogonalAndOfModalMassOne) {
+TEST(NaturalModes, shapes_are_orthogonal_and_of_modal_mass_one) {
     const PlaneSolid solid = makeExample({Kinematics::planeStrain, Strains::nonlinear, true});
     const NaturalModes modes = naturalModes(solid, 6);
     const MatrixXd product = modes.shapes.transpose() * (solid.massMatrix() * modes.shapes);
@@ -44,7 +44,7 @@ TEST(NaturalModes, shapesAreOrthogonalAndOfModalMassOne) {
     }
 }
 
-TEST(NaturalModes, freeBodyHasThreeRigidModes) {
+TEST(NaturalModes, free_body_has_three_rigid_modes) {
     const PlaneSolid solid(geometry::refine(geometry::rectangle({0, 0, 0}, 0.1, 1), 2, 3, 2, 8),
                            exampleMaterial(Kinematics::planeStrain), Strains::linear, {}, {});
     const NaturalModes modes = naturalModes(solid, 4);
@@ -60,7 +60,7 @@ TEST(NaturalModes, freeBodyHasThreeRigidModes) {
 
 // An elastic ring in plane strain, radii 0.95 and 1.05, ovalling (n = 2): a
 // quarter with symmetric edges. Published: 2.555042 rad/s (solids4foam, ringAddedMass).
-TEST(NaturalModes, ringOvalsWithThePublishedFrequency) {
+TEST(NaturalModes, ring_ovals_with_the_published_frequency) {
     PlaneMaterial material;
     material.youngsModulus = 1e6;
     material.poissonsRatio = 0.3;
@@ -72,14 +72,14 @@ TEST(NaturalModes, ringOvalsWithThePublishedFrequency) {
     EXPECT_NEAR(naturalModes(ring, 1).angularFrequencies[0], 2.555042, 0.0005 * 2.555042);
 }
 
-TEST(NaturalModes, moreModesThanUnknownsAreRefused) {
+TEST(NaturalModes, more_modes_than_unknowns_are_refused) {
     ExampleBeam kind;
     kind.degree = 2;
     kind.elements = 1;
     EXPECT_THROW(naturalModes(kind.build(), 3), InputError);
 }
 
-TEST(RunModes, printsAndTabulatesFrequenciesAndWritesShapes) {
+TEST(RunModes, prints_and_tabulates_frequencies_and_writes_shapes) {
     const TemporaryDirectory directory;
     std::string log;
     runModes(readCase(directory.write("case.yaml", exampleText())), 3,

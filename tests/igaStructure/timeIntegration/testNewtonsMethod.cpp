@@ -58,7 +58,7 @@ std::string failureOf(TimeIntegrator& integrator, const VectorXd& force) {
 
 } // namespace
 
-TEST(NewtonsMethod, endsWithTheFirstResidualBelowTheTolerance) {
+TEST(NewtonsMethod, ends_with_the_first_residual_below_the_tolerance) {
     for (double tolerance = 1e-1; tolerance > 1e-12; tolerance *= 0.1) {
         Springs springs(
             1, [](double u) { return u + u * u * u; }, [](double u) { return 1 + 3 * u * u; });
@@ -72,7 +72,7 @@ TEST(NewtonsMethod, endsWithTheFirstResidualBelowTheTolerance) {
     }
 }
 
-TEST(NewtonsMethod, lineSearchConvergesWhereWholeUpdatesDiverge) {
+TEST(NewtonsMethod, line_search_converges_where_whole_updates_diverge) {
     Springs springs = softening();
     TimeIntegrator searching = staticIntegrator(springs, options(1e-10));
     searching.startFrom(one(3));
@@ -82,7 +82,7 @@ TEST(NewtonsMethod, lineSearchConvergesWhereWholeUpdatesDiverge) {
     EXPECT_NE(failureOf(whole, one(std::atan(0.1))), "no error");
 }
 
-TEST(NewtonsMethod, lineSearchGoesDownToASixtyFourthOfTheUpdate) {
+TEST(NewtonsMethod, line_search_goes_down_to_a_sixty_fourth_of_the_update) {
     Springs springs(
         1, [](double u) { return u; }, [](double) { return 1; });
     springs.ratio = [](double u) { return 1 - u / 0.0157; }; // 1/64 = 0.015625 is the first
@@ -91,7 +91,7 @@ TEST(NewtonsMethod, lineSearchGoesDownToASixtyFourthOfTheUpdate) {
     EXPECT_EQ(integrator.displacement()[0], 1.0 / 64);
 }
 
-TEST(NewtonsMethod, neverLeavesTheBodyInsideOut) {
+TEST(NewtonsMethod, never_leaves_the_body_inside_out) {
     // u + 1 - 1/(u + 1) = -10: a stretch of sqrt(26) - 5, the other one is -5 - sqrt(26).
     const double stretch = std::sqrt(26.0) - 5;
     Springs bar = foldableBar();
@@ -104,7 +104,7 @@ TEST(NewtonsMethod, neverLeavesTheBodyInsideOut) {
     EXPECT_NEAR(reusing.solve(one(-10))[0], stretch - 1, 1e-12);
 }
 
-TEST(NewtonsMethod, startsFromTheDisplacementThatItIsTold) {
+TEST(NewtonsMethod, starts_from_the_displacement_that_it_is_told) {
     Springs springs = softening();
     TimeIntegrator integrator = staticIntegrator(springs, options(1e-10));
     const VectorXd solution = integrator.solve(one(1));
@@ -115,7 +115,7 @@ TEST(NewtonsMethod, startsFromTheDisplacementThatItIsTold) {
     EXPECT_EQ(integrator.nIterations(), 0);
 }
 
-TEST(NewtonsMethod, endsWhereTheResidualIsNotFinite) {
+TEST(NewtonsMethod, ends_where_the_residual_is_not_finite) {
     Springs springs(
         1, [](double u) { return u < 0.5 ? u : NAN; }, [](double) { return 1; });
     springs.ratio = [](double) { return 1; };
@@ -124,7 +124,7 @@ TEST(NewtonsMethod, endsWhereTheResidualIsNotFinite) {
     EXPECT_EQ(integrator.residuals().size(), 2u);
 }
 
-TEST(NewtonsMethod, solutionOfALinearStructureThatIsNotFiniteIsRefused) {
+TEST(NewtonsMethod, solution_of_a_linear_structure_that_is_not_finite_is_refused) {
     Springs springs(
         1, [](double u) { return 1e-200 * u; }, [](double) { return 1e-200; });
     springs.linear = true;
@@ -132,7 +132,7 @@ TEST(NewtonsMethod, solutionOfALinearStructureThatIsNotFiniteIsRefused) {
     EXPECT_THAT(failureOf(integrator, one(1e200)), HasSubstr("the solution is not finite"));
 }
 
-TEST(NewtonsMethod, unknownWithoutStiffnessIsNamedByControlPointAndComponent) {
+TEST(NewtonsMethod, unknown_without_stiffness_is_named_by_control_point_and_component) {
     Springs springs(
         4, [](double u) { return u; }, [](double) { return 1; });
     springs.factor = [](int k) { return k == 3 ? -1 : 1; };
@@ -162,14 +162,14 @@ Springs noisy() {
 
 } // namespace
 
-TEST(NewtonsMethod, endsAtTheRoundingErrorOfInternalForces) {
+TEST(NewtonsMethod, ends_at_the_rounding_error_of_internal_forces) {
     Springs springs = noisy();
     springs.load = [](double t) { return 1e6 * t; };
     TimeIntegrator integrator = staticIntegrator(springs, options(1e-30));
     EXPECT_EQ(failureOf(integrator, VectorXd::Zero(2)), "no error");
 }
 
-TEST(NewtonsMethod, endsAtTheRoundingErrorOfInertia) {
+TEST(NewtonsMethod, ends_at_the_rounding_error_of_inertia) {
     // Accelerations are differences of displacements of order 1 over the step squared.
     Springs springs(
         2, [](double u) { return u + 0.1 * u * u; }, [](double u) { return 1 + 0.2 * u; });

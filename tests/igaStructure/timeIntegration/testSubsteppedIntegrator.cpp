@@ -67,7 +67,7 @@ class Substeps : public testing::TestWithParam<const char*> {};
 
 INSTANTIATE_TEST_SUITE_P(Strains, Substeps, testing::Values("linear", "nonlinear"));
 
-TEST_P(Substeps, oneIsTheStepItself) {
+TEST_P(Substeps, one_is_the_step_itself) {
     Flap flap(GetParam());
     TimeIntegrator whole(flap.body->model(), *flap.structureCase.implicitScheme(),
                          NewtonOptions{1e-12, 25, true, 0.1}, 0);
@@ -80,7 +80,7 @@ TEST_P(Substeps, oneIsTheStepItself) {
     EXPECT_EQ(advance(flap, 5, 1), whole.state().displacement);
 }
 
-TEST_P(Substeps, underAConstantForceAreAsManySteps) {
+TEST_P(Substeps, under_a_constant_force_are_as_many_steps) {
     Flap flap(GetParam());
     SubsteppedIntegrator few = flap.integrator(4);
     SubsteppedIntegrator many = flap.integrator(1);
@@ -106,7 +106,7 @@ TEST_P(Substeps, underAConstantForceAreAsManySteps) {
                 1e-8 * many.energies().externalWork);
 }
 
-TEST(SubstepsOfLinearFlap, countAsWorkWhatTheStructureGains) {
+TEST(SubstepsOfLinearFlap, count_as_work_what_the_structure_gains) {
     Flap flap;
     flap.structureCase.timeScheme = TimeScheme::generalisedAlpha(1); // keeps energy
     SubsteppedIntegrator integrator = flap.integrator(3);
@@ -130,7 +130,7 @@ TEST(SubstepsOfLinearFlap, countAsWorkWhatTheStructureGains) {
     EXPECT_NEAR(energies.externalWork, work, 1e-9 * energies.strain);
 }
 
-TEST_P(Substeps, takeTheStructuresOwnLoadsAtTheirOwnTimes) {
+TEST_P(Substeps, take_the_structures_own_loads_at_their_own_times) {
     Flap flap(GetParam(), "1000*sin(50*t)");
     SubsteppedIntegrator few = flap.integrator(4);
     TimeIntegrator many(flap.body->model(), *flap.structureCase.implicitScheme(),
@@ -152,7 +152,7 @@ TEST_P(Substeps, takeTheStructuresOwnLoadsAtTheirOwnTimes) {
                 1e-8 * std::abs(many.energies().externalWork));
 }
 
-TEST_P(Substeps, keepTheSecondOrder) {
+TEST_P(Substeps, keep_the_second_order) {
     Flap flap(GetParam());
     const VectorXd coarse = advance(flap, 48, 3);
     const VectorXd middle = advance(flap, 96, 3);
@@ -163,7 +163,7 @@ TEST_P(Substeps, keepTheSecondOrder) {
     EXPECT_NEAR(order, 2, 0.15);
 }
 
-TEST_P(Substeps, countWithTheLastForceAlone) {
+TEST_P(Substeps, count_with_the_last_force_alone) {
     Flap flap(GetParam());
     SubsteppedIntegrator once = flap.integrator(3);
     SubsteppedIntegrator often = flap.integrator(3);
@@ -185,7 +185,7 @@ TEST_P(Substeps, countWithTheLastForceAlone) {
                 1e-8 * once.energies().externalWork);
 }
 
-TEST_P(Substeps, leaveNoTraceOfARejectedStep) {
+TEST_P(Substeps, leave_no_trace_of_a_rejected_step) {
     Flap flap(GetParam());
     SubsteppedIntegrator integrator = flap.integrator(3);
     advance(flap, integrator, 5);
@@ -211,7 +211,7 @@ TEST_P(Substeps, leaveNoTraceOfARejectedStep) {
     EXPECT_EQ(integrator.state().displacement, straight.state().displacement);
 }
 
-TEST_P(Substeps, singleStepThatIsRejectedIsForgotten) {
+TEST_P(Substeps, single_step_that_is_rejected_is_forgotten) {
     Flap flap(GetParam());
     SubsteppedIntegrator integrator = flap.integrator(1);
     advance(flap, integrator, 3);
@@ -224,7 +224,7 @@ TEST_P(Substeps, singleStepThatIsRejectedIsForgotten) {
     EXPECT_EQ(integrator.state().displacement, before);
 }
 
-TEST(SubstepsOfLinearFlap, countOneIterationEach) {
+TEST(SubstepsOfLinearFlap, count_one_iteration_each) {
     Flap flap;
     for (const int nSubsteps : {1, 3, 4}) {
         SubsteppedIntegrator integrator = flap.integrator(nSubsteps);
@@ -291,7 +291,7 @@ class AddedMass {
 
 // A force that is linear in time within the step multiplies an error by -2 in each:
 // 10^18 in these
-TEST(SubstepsOfLinearFlap, areStableWithTenTimesTheMassAdded) {
+TEST(SubstepsOfLinearFlap, are_stable_with_ten_times_the_mass_added) {
     for (const TimeScheme& scheme :
          {TimeScheme::generalisedAlpha(1), TimeScheme::generalisedAlpha(0.8),
           TimeScheme::generalisedAlpha(0), TimeScheme::newmark(0.25, 0.5)}) {

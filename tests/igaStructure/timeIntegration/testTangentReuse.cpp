@@ -45,7 +45,7 @@ Vibration vibrate(const NewtonOptions& newton, double amplitude) {
 
 } // namespace
 
-TEST(TangentReuse, solutionIsTheSameWithFewerFactorisations) {
+TEST(TangentReuse, solution_is_the_same_with_fewer_factorisations) {
     const Vibration expected = vibrate(reusing(0), 300);
     EXPECT_EQ(expected.nFactorisations, expected.nIterations);
     for (const double contraction : {0.1, 0.5}) {
@@ -56,7 +56,7 @@ TEST(TangentReuse, solutionIsTheSameWithFewerFactorisations) {
     }
 }
 
-TEST(TangentReuse, newSizeOfTheTimeStepTakesANewTangent) {
+TEST(TangentReuse, new_size_of_the_time_step_takes_a_new_tangent) {
     PlaneSolid solid = makeExample({Kinematics::planeStrain, Strains::nonlinear, false});
     TimeIntegrator integrator(solid, TimeScheme::generalisedAlpha(0.8), reusing(0.5), 0);
     VectorXd force = VectorXd::Zero(solid.nUnknowns());
@@ -91,7 +91,7 @@ VectorXd afterSmallStep(PlaneSolid& solid, TimeIntegrator& integrator) {
 
 } // namespace
 
-TEST(TangentReuse, rejectedAndRestoredStepsLeaveNoTangent) {
+TEST(TangentReuse, rejected_and_restored_steps_leave_no_tangent) {
     PlaneSolid solid = makeExample({Kinematics::planeStrain, Strains::nonlinear, false});
     const auto started = [&] {
         TimeIntegrator integrator(solid, TimeScheme::generalisedAlpha(0.8), reusing(0.5), 0);
@@ -116,7 +116,7 @@ TEST(TangentReuse, rejectedAndRestoredStepsLeaveNoTangent) {
     EXPECT_EQ(afterSmallStep(solid, restored), expected);
 }
 
-TEST(TangentReuse, tangentThatNoLongerServesIsReplaced) {
+TEST(TangentReuse, tangent_that_no_longer_serves_is_replaced) {
     // A beam between two hinges is soft at rest and stiff once it is stretched: the old
     // tangent would move it by far too much.
     ExampleBeam kind;

@@ -68,7 +68,7 @@ double staticTip(const Cantilever& cantilever, int loadSteps = 1) {
 
 } // namespace
 
-TEST(TimeIntegrator, staticCantileverBendsAsTimoshenkosBeam) {
+TEST(TimeIntegrator, static_cantilever_bends_as_timoshenkos_beam) {
     Cantilever cantilever;
     cantilever.tractionX = "1000";
     // w = q l^4 / 8 E I + q l^2 / 2 k G A; Poisson's ratio 0, so k = 5/6, G = E/2.
@@ -79,7 +79,7 @@ TEST(TimeIntegrator, staticCantileverBendsAsTimoshenkosBeam) {
     EXPECT_NEAR(staticTip(cantilever), expected, 2e-3 * expected);
 }
 
-TEST(TimeIntegrator, slenderCantileverRollsUpAsTheElastica) {
+TEST(TimeIntegrator, slender_cantilever_rolls_up_as_the_elastica) {
     // Tip load P l^2 / E I = 1 across the original axis: Mattiasson 1981 gives
     // the deflections 0.30172 l and 0.05643 l.
     Cantilever cantilever;
@@ -104,7 +104,7 @@ TEST(TimeIntegrator, slenderCantileverRollsUpAsTheElastica) {
     EXPECT_NEAR(-tip[1], 0.05643, 0.015 * 0.05643);
 }
 
-TEST(TimeIntegrator, nonlinearStrainsAgreeWithLinearOnesForSmallLoads) {
+TEST(TimeIntegrator, nonlinear_strains_agree_with_linear_ones_for_small_loads) {
     Cantilever cantilever;
     cantilever.tractionX = "0.01";
     const double linear = staticTip(cantilever);
@@ -114,7 +114,7 @@ TEST(TimeIntegrator, nonlinearStrainsAgreeWithLinearOnesForSmallLoads) {
     EXPECT_NEAR(staticTip(cantilever), linear, 5e-6 * linear);
 }
 
-TEST(TimeIntegrator, newtonsMethodConvergesQuadratically) {
+TEST(TimeIntegrator, newtons_method_converges_quadratically) {
     Cantilever cantilever;
     cantilever.strains = Strains::nonlinear;
     cantilever.tractionX = "1000";
@@ -136,7 +136,7 @@ TEST(TimeIntegrator, newtonsMethodConvergesQuadratically) {
     EXPECT_GE(nChecked, 1);
 }
 
-TEST(TimeIntegrator, trapezoidalRuleKeepsEnergy) {
+TEST(TimeIntegrator, trapezoidal_rule_keeps_energy) {
     Cantilever cantilever;
     cantilever.tractionX = "t < 0.1 ? 1000 : 0"; // pushed, then free
     PlaneSolid solid = cantilever.build();
@@ -160,7 +160,7 @@ TEST(TimeIntegrator, trapezoidalRuleKeepsEnergy) {
     }
 }
 
-TEST(TimeIntegrator, trapezoidalRuleKeepsEnergyAndWhatDampingTakes) {
+TEST(TimeIntegrator, trapezoidal_rule_keeps_energy_and_what_damping_takes) {
     Cantilever cantilever;
     cantilever.tractionX = "1000*sin(9*t)";
     cantilever.massDamping = 0.4;
@@ -215,7 +215,7 @@ double errorOfDampedMode(const TimeScheme& scheme, int nSteps) {
 
 } // namespace
 
-TEST(TimeIntegrator, naturalModeMovesAsADampedOscillatorWithAnErrorOfSecondOrder) {
+TEST(TimeIntegrator, natural_mode_moves_as_a_damped_oscillator_with_an_error_of_second_order) {
     for (const TimeScheme& scheme :
          {TimeScheme::generalisedAlpha(0.8), TimeScheme::newmark(0.25, 0.5),
           TimeScheme::newmark(0.3, 0.5)}) {
@@ -226,7 +226,7 @@ TEST(TimeIntegrator, naturalModeMovesAsADampedOscillatorWithAnErrorOfSecondOrder
     }
 }
 
-TEST(TimeIntegrator, spectralRadiusBelowOneDissipatesAndOneDoesNot) {
+TEST(TimeIntegrator, spectral_radius_below_one_dissipates_and_one_does_not) {
     const auto remaining = [](double spectralRadius) {
         Cantilever cantilever;
         cantilever.gravityX = "t < 0.005 ? 1000 : 0"; // a blow: high frequencies too
@@ -255,7 +255,7 @@ TEST(TimeIntegrator, spectralRadiusBelowOneDissipatesAndOneDoesNot) {
 class Order : public testing::TestWithParam<Strains> {};
 INSTANTIATE_TEST_SUITE_P(Strains, Order, testing::Values(Strains::linear, Strains::nonlinear));
 
-TEST_P(Order, errorFallsWithTheSquareOfTheTimeStep) {
+TEST_P(Order, error_falls_with_the_square_of_the_time_step) {
     Cantilever cantilever;
     cantilever.strains = GetParam();
     cantilever.elements = 2;
@@ -271,7 +271,7 @@ TEST_P(Order, errorFallsWithTheSquareOfTheTimeStep) {
     }
 }
 
-TEST(TimeIntegrator, freeBodyFallsAsAParabola) {
+TEST(TimeIntegrator, free_body_falls_as_a_parabola) {
     Cantilever cantilever;
     cantilever.supports = {};
     cantilever.gravityX = "-9.81";
@@ -282,7 +282,7 @@ TEST(TimeIntegrator, freeBodyFallsAsAParabola) {
     }
 }
 
-TEST(TimeIntegrator, massDampingSlowsAFreeBodyExponentially) {
+TEST(TimeIntegrator, mass_damping_slows_a_free_body_exponentially) {
     Cantilever cantilever;
     cantilever.supports = {};
     cantilever.gravityX = "-1";
@@ -293,7 +293,7 @@ TEST(TimeIntegrator, massDampingSlowsAFreeBodyExponentially) {
                 1e-5 * std::abs(expected));
 }
 
-TEST(TimeIntegrator, repeatedSolutionsOfAStepDependOnTheLastForceOnly) {
+TEST(TimeIntegrator, repeated_solutions_of_a_step_depend_on_the_last_force_only) {
     for (Strains strains : {Strains::linear, Strains::nonlinear}) {
         Cantilever cantilever;
         cantilever.strains = strains;
@@ -320,7 +320,7 @@ TEST(TimeIntegrator, repeatedSolutionsOfAStepDependOnTheLastForceOnly) {
     }
 }
 
-TEST(TimeIntegrator, linearStructureIsFactoredOnceForEachTimeStepSize) {
+TEST(TimeIntegrator, linear_structure_is_factored_once_for_each_time_step_size) {
     Cantilever cantilever;
     PlaneSolid solid = cantilever.build();
     TimeIntegrator integrator(solid, TimeScheme::generalisedAlpha(0.8), {}, 0);
@@ -349,7 +349,7 @@ std::string failure(const Cantilever& cantilever, int loadSteps) {
 
 } // namespace
 
-TEST(TimeIntegrator, missingSupportsOfAStaticAnalysisAreNamed) {
+TEST(TimeIntegrator, missing_supports_of_a_static_analysis_are_named) {
     Cantilever cantilever;
     cantilever.supports = {};
     EXPECT_EQ(failure(cantilever, 1),
@@ -361,7 +361,7 @@ TEST(TimeIntegrator, missingSupportsOfAStaticAnalysisAreNamed) {
     EXPECT_NE(failure(cantilever, 1).find("prevents: translation along y; add"), std::string::npos);
 }
 
-TEST(TimeIntegrator, failedNewtonIterationNamesTheTime) {
+TEST(TimeIntegrator, failed_newton_iteration_names_the_time) {
     Cantilever cantilever;
     cantilever.strains = Strains::nonlinear;
     cantilever.tractionX = "1e9"; // absurd
@@ -370,7 +370,7 @@ TEST(TimeIntegrator, failedNewtonIterationNamesTheTime) {
     EXPECT_NE(message, "no error");
 }
 
-TEST(TimeIntegrator, columnThatIsPressedBeyondItsBucklingLoadIsRefused) {
+TEST(TimeIntegrator, column_that_is_pressed_beyond_its_buckling_load_is_refused) {
     Cantilever cantilever;
     cantilever.strains = Strains::nonlinear;
     PlaneSolid solid = cantilever.build();
@@ -395,7 +395,7 @@ TEST(TimeIntegrator, columnThatIsPressedBeyondItsBucklingLoadIsRefused) {
     }
 }
 
-TEST(TimeIntegrator, forceThatIsNotFiniteIsRefused) {
+TEST(TimeIntegrator, force_that_is_not_finite_is_refused) {
     PlaneSolid solid = Cantilever{}.build();
     TimeIntegrator integrator(solid, TimeScheme::generalisedAlpha(0.8), {}, 0);
     integrator.beginTimeStep(0.01, 0.01);
@@ -430,7 +430,7 @@ MotionState freeMotion(Beam& beam, const TimeScheme& scheme, Energies& energies)
 
 } // namespace
 
-TEST(TimeIntegrator, followerLoadsAreThoseOfTheTimeOfTheBalance) {
+TEST(TimeIntegrator, follower_loads_are_those_of_the_time_of_the_balance) {
     for (const double radius : {0.0, 0.5, 0.9}) {
         const TimeScheme scheme = TimeScheme::generalisedAlpha(radius);
         Beam follower = freeBeamUnderPressure(true);
@@ -447,7 +447,7 @@ TEST(TimeIntegrator, followerLoadsAreThoseOfTheTimeOfTheBalance) {
     }
 }
 
-TEST(TimeIntegrator, workOfFollowerLoadsIsTheKineticEnergyOfAFreeBeam) {
+TEST(TimeIntegrator, work_of_follower_loads_is_the_kinetic_energy_of_a_free_beam) {
     Beam beam = freeBeamUnderPressure(true);
     Energies energies;
     freeMotion(beam, TimeScheme::newmark(0.25, 0.5), energies);
@@ -497,7 +497,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, StepsEquations,
                                          std::pair{Strains::linear, true},
                                          std::pair{Strains::nonlinear, true}));
 
-TEST_P(StepsEquations, requiredForceIsTheOneThatSolves) {
+TEST_P(StepsEquations, required_force_is_the_one_that_solves) {
     const VectorXd displacement = integrator_.solve(force_());
     const VectorXd required = integrator_.requiredForce(displacement);
     EXPECT_LT((required - force_()).norm(), 1e-8 * force_().norm()); // Newton's tolerance
@@ -508,7 +508,7 @@ TEST_P(StepsEquations, requiredForceIsTheOneThatSolves) {
     }
 }
 
-TEST_P(StepsEquations, responsesAreDerivativesOfTheSolution) {
+TEST_P(StepsEquations, responses_are_derivatives_of_the_solution) {
     Eigen::MatrixXd directions(solid_.nUnknowns(), 2);
     directions << VectorXd::Ones(solid_.nUnknowns()), force_();
     const double h = 1e-3;

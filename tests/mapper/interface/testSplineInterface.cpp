@@ -8,7 +8,7 @@
 
 namespace tokay::mapper {
 
-TEST(SplineInterface, locatesPointsOnTheRightPiece) {
+TEST(SplineInterface, locates_points_on_the_right_piece) {
     const SplineInterface interface = flapInterface();
     EXPECT_EQ(interface.closest(Point(-0.06, 0.4, 0)).piece, 0);
     EXPECT_EQ(interface.closest(Point(0.01, 1.1, 0)).piece, 1);
@@ -16,7 +16,7 @@ TEST(SplineInterface, locatesPointsOnTheRightPiece) {
     EXPECT_NEAR(interface.locate(Point(0.04, 0.3, 0)).gap, 0.01, 1e-15);
 }
 
-TEST(SplineInterface, aCornerOfTwoPiecesIsOnePlace) {
+TEST(SplineInterface, a_corner_of_two_pieces_is_one_place) {
     const Location corner = flapInterface().locate(Point(-0.05, 1, 0));
     EXPECT_FALSE(corner.ambiguous);
     EXPECT_LT(corner.gap, 1e-15);
@@ -27,12 +27,12 @@ TEST(SplineInterface, aCornerOfTwoPiecesIsOnePlace) {
     EXPECT_EQ(nWeights, 1) << "a corner is a control point";
 }
 
-TEST(SplineInterface, thePointInTheMiddleOfTheFlapIsAmbiguous) {
+TEST(SplineInterface, the_point_in_the_middle_of_the_flap_is_ambiguous) {
     EXPECT_TRUE(flapInterface().locate(Point(0, 0.5, 0)).ambiguous);
     EXPECT_FALSE(flapInterface().locate(Point(0.001, 0.5, 0)).ambiguous);
 }
 
-TEST(SplineInterface, refusesPiecesThatDoNotFitTheStructure) {
+TEST(SplineInterface, refuses_pieces_that_do_not_fit_the_structure) {
     const geometry::NurbsCurve line = geometry::line(Point::Zero(), Point(1, 0, 0));
     const geometry::NurbsCurve other = geometry::line(Point(1, 0.5, 0), Point(2, 0, 0));
     expectInputError([&] { SplineInterface({}, 4); }, {"no piece"});

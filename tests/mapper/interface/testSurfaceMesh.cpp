@@ -19,7 +19,7 @@ const FaceKind allKinds[] = {FaceKind::triangles, FaceKind::quadrilaterals, Face
 
 } // namespace
 
-TEST(SurfaceMesh, nearestElementReproducesLinearFieldsAndConservesForces) {
+TEST(SurfaceMesh, nearest_element_reproduces_linear_fields_and_conserves_forces) {
     for (const FaceKind kind : allKinds) {
         const SurfaceMesh mesh = flatMesh(7, 5, kind, ValuesAt::vertices);
         const Points to =
@@ -34,7 +34,7 @@ TEST(SurfaceMesh, nearestElementReproducesLinearFieldsAndConservesForces) {
     }
 }
 
-TEST(SurfaceMesh, faceValuesAreConstantOverEachFace) {
+TEST(SurfaceMesh, face_values_are_constant_over_each_face) {
     const SurfaceMesh mesh = flatMesh(4, 4, FaceKind::quadrilaterals, ValuesAt::faces);
     EXPECT_EQ(mesh.nValues(), 16);
     const Location at = mesh.locate(mesh.coordinates().row(5));
@@ -42,7 +42,7 @@ TEST(SurfaceMesh, faceValuesAreConstantOverEachFace) {
     EXPECT_EQ(at.weights[0], 1);
 }
 
-TEST(SurfaceMesh, stretchedMeshesKeepTheLinearField) {
+TEST(SurfaceMesh, stretched_meshes_keep_the_linear_field) {
     // Anisotropy 1 : 1000; coordinates of the thin direction have 1e-13 of its size.
     const SurfaceMesh mesh = flatMesh(6, 6, FaceKind::triangles, ValuesAt::vertices, 1, 1e-3);
     const Points to =
@@ -51,7 +51,7 @@ TEST(SurfaceMesh, stretchedMeshesKeepTheLinearField) {
     EXPECT_LT((mapping.apply(linearField(mesh.coordinates())) - linearField(to)).norm(), 1e-12);
 }
 
-TEST(SurfaceMesh, refusesBrokenFacesByNumber) {
+TEST(SurfaceMesh, refuses_broken_faces_by_number) {
     Points vertices(5, 3);
     vertices << 0, 0, 0, 1, 0, 0, 2, 0, 0, 1, 1, 0, 0, 1, 0;
     const auto mesh = [&](const SurfaceMesh::Faces& faces) {
@@ -66,7 +66,7 @@ TEST(SurfaceMesh, refusesBrokenFacesByNumber) {
     expectInputError([&] { mesh({{0, 1, 3}}); }, {"point 3", "inf"});
 }
 
-TEST(SurfaceMesh, duplicatePointsMakeAFaceWithoutAreaAndAreRefused) {
+TEST(SurfaceMesh, duplicate_points_make_a_face_without_area_and_are_refused) {
     Points vertices(4, 3);
     vertices << 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 1, 0;
     expectInputError(
@@ -76,7 +76,7 @@ TEST(SurfaceMesh, duplicatePointsMakeAFaceWithoutAreaAndAreRefused) {
         {"face 1", "no area", "vertices 1 and 2"});
 }
 
-TEST(PointCloud, mapsTheNearestValueAndConservesTheSum) {
+TEST(PointCloud, maps_the_nearest_value_and_conserves_the_sum) {
     const Points from = flatMesh(6, 6, FaceKind::triangles, ValuesAt::vertices).coordinates();
     const Points to =
         flatMesh(9, 9, FaceKind::triangles, ValuesAt::vertices, 2, 1, 2).coordinates();
@@ -94,7 +94,7 @@ TEST(PointCloud, mapsTheNearestValueAndConservesTheSum) {
     expectTransposesEqual(mapping, static_cast<int>(from.rows()), static_cast<int>(to.rows()));
 }
 
-TEST(PointCloud, pointsHalfwayBetweenTwoAreCountedAsAmbiguous) {
+TEST(PointCloud, points_halfway_between_two_are_counted_as_ambiguous) {
     Points from(2, 3), to(2, 3);
     from << 0, 0, 0, 1, 0, 0;
     to << 0.5, 0, 0, 0.2, 0, 0;

@@ -36,7 +36,7 @@ Points controlPointsOf(const EdgeQuadrature& edge, const CurveInterface& interfa
 
 } // namespace
 
-TEST(EdgeTrace, massMatrixOnAKnotLineIsThePublishedOneOfRankFour) {
+TEST(EdgeTrace, mass_matrix_on_a_knot_line_is_the_published_one_of_rank_four) {
     const EdgeQuadrature edge = quadratureOf(trimmedEdge(0.5));
     MatrixXd one(4, 4);
     one << 0.025, 0.0145833, 0.00208333, 0,      //
@@ -54,7 +54,7 @@ TEST(EdgeTrace, massMatrixOnAKnotLineIsThePublishedOneOfRankFour) {
     EXPECT_EQ(EdgeTrace(edge.values(), edge.weights()).rank(), 4);
 }
 
-TEST(EdgeTrace, rankIsThatOfTheTraceWhereverTheTrimmingLineCuts) {
+TEST(EdgeTrace, rank_is_that_of_the_trace_wherever_the_trimming_line_cuts) {
     for (const double xi : {0.0, 0.1, 0.37, 0.5 - 1e-12, 0.5, 0.5 + 1e-12, 0.5 + 1e-6, 0.9, 1.0}) {
         const EdgeQuadrature edge = quadratureOf(trimmedEdge(xi));
         const EdgeTrace trace(edge.values(), edge.weights());
@@ -67,7 +67,7 @@ TEST(EdgeTrace, rankIsThatOfTheTraceWhereverTheTrimmingLineCuts) {
     }
 }
 
-TEST(EdgeTrace, basisIsOrthogonalAndItsRestLeavesTheEdgeWhereItIs) {
+TEST(EdgeTrace, basis_is_orthogonal_and_its_rest_leaves_the_edge_where_it_is) {
     const EdgeQuadrature edge = quadratureOf(trimmedEdge(0.37));
     const EdgeTrace trace(edge.values(), edge.weights());
     const MatrixXd& basis = trace.basis();
@@ -77,7 +77,7 @@ TEST(EdgeTrace, basisIsOrthogonalAndItsRestLeavesTheEdgeWhereItIs) {
     EXPECT_TRUE(trace.isSingular());
 }
 
-TEST(EdgeTrace, controlValuesOfAnEdgeThatTheBasisInterpolatesAreTheCoefficients) {
+TEST(EdgeTrace, control_values_of_an_edge_that_the_basis_interpolates_are_the_coefficients) {
     const CurveInterface spline = verticalSpline(2, 3);
     const EdgeQuadrature edge = quadratureOf(spline);
     const EdgeTrace trace(edge.values(), edge.weights());
@@ -87,7 +87,7 @@ TEST(EdgeTrace, controlValuesOfAnEdgeThatTheBasisInterpolatesAreTheCoefficients)
     EXPECT_LT((trace.coefficients(edge.points()) - controlPointsOf(edge, spline)).norm(), 1e-13);
 }
 
-TEST(EdgeTrace, projectionReproducesWhatTheTraceHolds) {
+TEST(EdgeTrace, projection_reproduces_what_the_trace_holds) {
     for (const double xi : {0.37, 0.5, 0.5 + 1e-12}) {
         const EdgeQuadrature edge = quadratureOf(trimmedEdge(xi));
         const EdgeTrace trace(edge.values(), edge.weights());
@@ -97,7 +97,7 @@ TEST(EdgeTrace, projectionReproducesWhatTheTraceHolds) {
     }
 }
 
-TEST(EdgeTrace, forcesAtPointsKeepForceMomentAndWork) {
+TEST(EdgeTrace, forces_at_points_keep_force_moment_and_work) {
     for (const double xi : {0.0, 0.37, 0.5, 0.5 + 1e-12}) {
         const CurveInterface interface = trimmedEdge(xi);
         const EdgeQuadrature edge = quadratureOf(interface);
@@ -120,13 +120,13 @@ TEST(EdgeTrace, forcesAtPointsKeepForceMomentAndWork) {
     }
 }
 
-TEST(EdgeQuadrature, edgesApartAreRefusedWithTheGap) {
+TEST(EdgeQuadrature, edges_apart_are_refused_with_the_gap) {
     const std::string text = refusalOf(verticalMesh(3, 0.25), trimmedEdge(0.5));
     EXPECT_TRUE(contains(text, "do not lie on each other") && contains(text, "0.25 m away"))
         << text;
 }
 
-TEST(EdgeQuadrature, anEdgeThatTheOtherOneCoversOnlyInPartIsRefused) {
+TEST(EdgeQuadrature, an_edge_that_the_other_one_covers_only_in_part_is_refused) {
     Points vertices(2, 3);
     vertices << 0, 0, 0, 0, 0.5, 0;
     const CurveInterface half = lineMesh(vertices, {{0, 1}});

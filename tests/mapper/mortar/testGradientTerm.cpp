@@ -101,7 +101,7 @@ Errors errors(const SlantedEdge& edge, const Eigen::VectorXd& values, double fro
 
 } // namespace
 
-TEST(GradientTerm, fieldsThatDoNotChangeAcrossTheEdgeAreExactInTheCutElements) {
+TEST(GradientTerm, fields_that_do_not_change_across_the_edge_are_exact_in_the_cut_elements) {
     for (const double trim : {0.0, 1e-12, 1e-8, 1e-4, 0.05, 0.13}) {
         const SlantedEdge edge(8, trim, trim);
         const CurveInterface to = edge.interface(), from = edge.mesh(11);
@@ -122,7 +122,7 @@ TEST(GradientTerm, fieldsThatDoNotChangeAcrossTheEdgeAreExactInTheCutElements) {
     }
 }
 
-TEST(GradientTerm, takesLinearFieldsOnTheEdgeAndConservesForceAndMoment) {
+TEST(GradientTerm, takes_linear_fields_on_the_edge_and_conserves_force_and_moment) {
     for (const double end : {0.13, -0.1, 0.6}) {
         const SlantedEdge edge(8, 0.13, end);
         const CurveInterface to = edge.interface(), from = edge.mesh(11);
@@ -146,7 +146,7 @@ TEST(GradientTerm, takesLinearFieldsOnTheEdgeAndConservesForceAndMoment) {
     }
 }
 
-TEST(GradientTerm, hasTheTraceOfTheMinimumNormAndABetterFieldInTheCutElements) {
+TEST(GradientTerm, has_the_trace_of_the_minimum_norm_and_a_better_field_in_the_cut_elements) {
     for (const int n : {8, 16, 32}) {
         const double element = 2.0 / n, trim = 0.3 * element;
         const SlantedEdge edge(n, trim, trim);
@@ -164,7 +164,7 @@ TEST(GradientTerm, hasTheTraceOfTheMinimumNormAndABetterFieldInTheCutElements) {
     }
 }
 
-TEST(GradientTerm, takesTheSlopeOfASourceThatKnowsOne) {
+TEST(GradientTerm, takes_the_slope_of_a_source_that_knows_one) {
     for (const double trim : {0.0, 1e-12, 1e-4, 0.05, 0.13}) {
         const SlantedEdge other(5, trim, trim), edge(8, trim, trim);
         const CurveInterface from = other.interface(), to = edge.interface();
@@ -185,7 +185,7 @@ TEST(GradientTerm, takesTheSlopeOfASourceThatKnowsOne) {
     }
 }
 
-TEST(GradientTerm, slopeKeepsMomentsOfForcesOffTheEdge) {
+TEST(GradientTerm, slope_keeps_moments_of_forces_off_the_edge) {
     const SlantedEdge other(5, 0.13, 0.13), edge(8, 0.13, 0.13);
     const CurveInterface from = other.interface(), to = edge.interface();
     const MortarMapping mapping(from, to, with(SingularMass::gradientTerm));
@@ -199,7 +199,7 @@ TEST(GradientTerm, slopeKeepsMomentsOfForcesOffTheEdge) {
     expectTransposesEqual(mapping, from.nValues(), to.nValues());
 }
 
-TEST(GradientTerm, errorBesideTheEdgeFallsByOneOrderMoreWithTheSourcesSlope) {
+TEST(GradientTerm, error_beside_the_edge_falls_by_one_order_more_with_the_sources_slope) {
     double before = 0;
     for (const int n : {8, 16, 32}) {
         const double element = 2.0 / n, trim = 0.3 * element;
@@ -218,7 +218,7 @@ TEST(GradientTerm, errorBesideTheEdgeFallsByOneOrderMoreWithTheSourcesSlope) {
     }
 }
 
-TEST(GradientTerm, continuesFieldsOverWhatTrimmingLeavesOfPatches) {
+TEST(GradientTerm, continues_fields_over_what_trimming_leaves_of_patches) {
     // Kept: [0, 1 + 2e-7] x [0, 1], a sliver of the third column of elements.
     const geometry::ParameterBox kept{{0, 0}, {0.5 + 1e-7, 1}};
     const SurfaceInterface to = onePatch(
@@ -247,7 +247,7 @@ TEST(GradientTerm, continuesFieldsOverWhatTrimmingLeavesOfPatches) {
     EXPECT_LT(largestError(fromMesh.apply(one), Points::Ones(to.nValues(), 3)), 1e-9);
 }
 
-TEST(GradientTerm, keepsRankAndCountAndExplainsItself) {
+TEST(GradientTerm, keeps_rank_and_count_and_explains_itself) {
     const CurveInterface to = trimmedEdge(0.5), inside = trimmedEdge(0.3);
     const MortarMapping onKnotLine(verticalMesh(3), to, with(SingularMass::gradientTerm));
     EXPECT_EQ(onKnotLine.report().nInverted, 8);
@@ -261,7 +261,7 @@ TEST(GradientTerm, keepsRankAndCountAndExplainsItself) {
     EXPECT_NE(mapping.report().json().text().find("\"gradient term\""), std::string::npos);
 }
 
-TEST(GradientTerm, isNotUsedWhereNothingIsOpen) {
+TEST(GradientTerm, is_not_used_where_nothing_is_open) {
     const MortarMapping mapping(verticalMesh(7), verticalSpline(2, 4),
                                 with(SingularMass::gradientTerm));
     EXPECT_TRUE(mapping.report().regularisation.empty());

@@ -47,21 +47,21 @@ void expectPatchTest(const CurveInterface& from, const CurveInterface& to,
 
 } // namespace
 
-TEST(MortarMapping, passesThePatchTestBetweenLineMeshesThatDoNotMatch) {
+TEST(MortarMapping, passes_the_patch_test_between_line_meshes_that_do_not_match) {
     expectPatchTest(verticalMesh(7), verticalMesh(5), {});
     expectPatchTest(verticalMesh(5), verticalMesh(7), {});
     expectPatchTest(verticalMesh(3), verticalMesh(300), {});
     expectPatchTest(verticalMesh(300), verticalMesh(3), {});
 }
 
-TEST(MortarMapping, passesThePatchTestBetweenSplinesAndLineMeshes) {
+TEST(MortarMapping, passes_the_patch_test_between_splines_and_line_meshes) {
     expectPatchTest(verticalMesh(7), verticalSpline(2, 4), {});
     expectPatchTest(verticalSpline(3, 4), verticalMesh(9), {});
     expectPatchTest(verticalSpline(2, 5), verticalSpline(3, 4), {});
     expectPatchTest(verticalSpline(4, 3), verticalSpline(1, 11), {});
 }
 
-TEST(MortarMapping, mapsConstantsAndMeansWithValuesOnTheElementsOfALineMesh) {
+TEST(MortarMapping, maps_constants_and_means_with_values_on_the_elements_of_a_line_mesh) {
     const CurveInterface vertices = verticalMesh(7), faces = verticalFaces(9),
                          others = verticalFaces(5);
     for (const CurveInterface* from : {&vertices, &faces, &others}) {
@@ -79,14 +79,14 @@ TEST(MortarMapping, mapsConstantsAndMeansWithValuesOnTheElementsOfALineMesh) {
     EXPECT_LT(MortarMapping(faces, verticalSpline(2, 4)).report().rowSumError, 1e-12);
 }
 
-TEST(MortarMapping, passesThePatchTestFromTheDualBasisToo) {
+TEST(MortarMapping, passes_the_patch_test_from_the_dual_basis_too) {
     expectPatchTest(verticalMesh(7), verticalMesh(5), dual());
     expectPatchTest(verticalSpline(3, 4), verticalMesh(9), dual());
     const MortarMapping mapping(verticalMesh(7), verticalMesh(5), dual());
     EXPECT_EQ(mapping.massMatrix().nonZeros(), 6) << "M_DD must be diagonal";
 }
 
-TEST(MortarMapping, passesThePatchTestWithTrimmedEdgesAnywhere) {
+TEST(MortarMapping, passes_the_patch_test_with_trimmed_edges_anywhere) {
     for (const double trim : {0.5, 0.3, 0.5 - 1e-4, 0.5 + 1e-4, 0.5 - 1e-8, 0.5 + 1e-12}) {
         expectPatchTest(trimmedEdge(trim), verticalSpline(2, 3), {});
         expectPatchTest(verticalMesh(7), trimmedEdge(trim), minimumNorm());
@@ -94,7 +94,7 @@ TEST(MortarMapping, passesThePatchTestWithTrimmedEdgesAnywhere) {
     }
 }
 
-TEST(MortarMapping, reproducesWhatTheDestinationHoldsOfHigherDegree) {
+TEST(MortarMapping, reproduces_what_the_destination_holds_of_higher_degree) {
     // A quadratic field from a quadratic to a cubic spline on other knots.
     const SplineInterface from = verticalSpline(2, 5), to = verticalSpline(3, 4);
     const Points exact = probeForces(from.nValues());
@@ -111,7 +111,7 @@ TEST(MortarMapping, reproducesWhatTheDestinationHoldsOfHigherDegree) {
     EXPECT_GT((back - exact).norm(), 1e-3) << "a rough field cannot survive";
 }
 
-TEST(MortarMapping, theReportsMatrixOfATrimLineOnAKnotLine) {
+TEST(MortarMapping, the_reports_matrix_of_a_trim_line_on_a_knot_line) {
     MortarMapping mapping(verticalMesh(3), trimmedEdge(0.5), minimumNorm());
     // In the report's order: pairs across the line, along the line; our control
     // points count along xi, of which columns 1 and 2 do not vanish there.
@@ -141,13 +141,13 @@ TEST(MortarMapping, theReportsMatrixOfATrimLineOnAKnotLine) {
     EXPECT_NE(mapping.report().text().find("8 x 8, rank 4 (singular)"), std::string::npos);
 }
 
-TEST(MortarMapping, aTrimLineInsideAnElementHasTwelveFunctionsAndRankFour) {
+TEST(MortarMapping, a_trim_line_inside_an_element_has_twelve_functions_and_rank_four) {
     const MortarMapping mapping(verticalMesh(3), trimmedEdge(0.3), minimumNorm());
     EXPECT_EQ(mapping.report().nInverted, 12);
     EXPECT_EQ(mapping.report().rank, 4);
 }
 
-TEST(MortarMapping, theMinimumNormSolutionIsThePseudoInverses) {
+TEST(MortarMapping, the_minimum_norm_solution_is_the_pseudo_inverses) {
     const CurveInterface from = verticalMesh(3), to = trimmedEdge(0.3);
     const MortarMapping mapping(from, to, minimumNorm());
     const Points values = probeForces(from.nValues());
@@ -160,7 +160,7 @@ TEST(MortarMapping, theMinimumNormSolutionIsThePseudoInverses) {
     EXPECT_LT((mapping.apply(values) - expected).norm(), 1e-11 * expected.norm());
 }
 
-TEST(MortarMapping, refusesASingularMatrixUnlessToldWhatToDo) {
+TEST(MortarMapping, refuses_a_singular_matrix_unless_told_what_to_do) {
     try {
         MortarMapping(verticalMesh(3), trimmedEdge(0.3));
         ADD_FAILURE() << "nothing was thrown";
@@ -172,7 +172,7 @@ TEST(MortarMapping, refusesASingularMatrixUnlessToldWhatToDo) {
     }
 }
 
-TEST(MortarMapping, aPartlyCoveredDestinationTakesConstantsAndCountsTheRest) {
+TEST(MortarMapping, a_partly_covered_destination_takes_constants_and_counts_the_rest) {
     MortarOptions options;
     options.gapLimit.refuse = false;
     options.gapLimit.relative = 1e-9;
@@ -194,7 +194,7 @@ TEST(MortarMapping, aPartlyCoveredDestinationTakesConstantsAndCountsTheRest) {
     expectInputError([&] { MortarMapping(from, to, options); }, {"do not lie on each other"});
 }
 
-TEST(MortarMapping, keepsConstantsAndForcesOnCurvedSidesThatDoNotCoincide) {
+TEST(MortarMapping, keeps_constants_and_forces_on_curved_sides_that_do_not_coincide) {
     const SplineInterface circle = quarterCircle(2, 6);
     Points vertices(10, 3);
     std::vector<std::array<int, 2>> elements;

@@ -24,7 +24,7 @@ using geometry::TrimmedPatch;
 
 } // namespace
 
-TEST(PatchMortar, passesThePatchTestBetweenMeshesAndAPatchBothWays) {
+TEST(PatchMortar, passes_the_patch_test_between_meshes_and_a_patch_both_ways) {
     for (const FaceKind kind :
          {FaceKind::triangles, FaceKind::quadrilaterals, FaceKind::polygons}) {
         const SurfaceMesh mesh = flatMesh(9, 7, kind, ValuesAt::vertices);
@@ -33,7 +33,7 @@ TEST(PatchMortar, passesThePatchTestBetweenMeshesAndAPatchBothWays) {
     }
 }
 
-TEST(PatchMortar, coversAFlatInterfaceCompletely) {
+TEST(PatchMortar, covers_a_flat_interface_completely) {
     const SurfaceMesh mesh = flatMesh(9, 7, FaceKind::quadrilaterals, ValuesAt::vertices);
     const SurfaceInterface splines = onePatch(TrimmedPatch(plate(5, 4)));
     EXPECT_NEAR(MortarMapping(mesh, splines).report().coverage, 1, 1e-12);
@@ -45,14 +45,14 @@ TEST(PatchMortar, coversAFlatInterfaceCompletely) {
     EXPECT_NEAR(mapping.crossMatrix().sum(), 2, 1e-13);
 }
 
-TEST(PatchMortar, passesThePatchTestWithParametersThatAreNeitherStraightNorEven) {
+TEST(PatchMortar, passes_the_patch_test_with_parameters_that_are_neither_straight_nor_even) {
     const SurfaceMesh mesh = flatMesh(9, 7, FaceKind::triangles, ValuesAt::vertices);
     const SurfaceInterface splines = onePatch(TrimmedPatch(bentParameters(6, 4)));
     expectPatchTest(mesh, splines);
     expectPatchTest(splines, mesh);
 }
 
-TEST(PatchMortar, passesThePatchTestOnATrimmedPatch) {
+TEST(PatchMortar, passes_the_patch_test_on_a_trimmed_patch) {
     MortarOptions options;
     options.singular = SingularMass::minimumNorm;
     const SurfaceMesh mesh = flatMesh(9, 7, FaceKind::triangles, ValuesAt::vertices);
@@ -63,14 +63,14 @@ TEST(PatchMortar, passesThePatchTestOnATrimmedPatch) {
     EXPECT_NEAR(mapping.massMatrix().sum(), 2 - pi * 2 * 0.23 * 0.23, 1e-4);
 }
 
-TEST(PatchMortar, passesThePatchTestAcrossPatches) {
+TEST(PatchMortar, passes_the_patch_test_across_patches) {
     const SurfaceMesh mesh = flatMesh(8, 5, FaceKind::quadrilaterals, ValuesAt::vertices);
     expectPatchTest(mesh, twoPatches());
     expectPatchTest(twoPatches(), mesh);
     EXPECT_NEAR(MortarMapping(twoPatches(), mesh).report().coverage, 1, 1e-12);
 }
 
-TEST(PatchMortar, facesPartlyOutsideAreCutAtTheEdgeOfThePatch) {
+TEST(PatchMortar, faces_partly_outside_are_cut_at_the_edge_of_the_patch) {
     // The mesh reaches from x = 0 to 2, the patch only to 1.
     const NurbsSurface half = refine(geometry::rectangle(Point::Zero(), 1, 1), 2, 2, 3, 3);
     const SurfaceMesh mesh = flatMesh(9, 7, FaceKind::triangles, ValuesAt::vertices);
@@ -83,7 +83,7 @@ TEST(PatchMortar, facesPartlyOutsideAreCutAtTheEdgeOfThePatch) {
     EXPECT_GT(back.report().nUncovered, 0);
 }
 
-TEST(PatchMortar, facesOverTheSeamOfACylinderAreMappedOnce) {
+TEST(PatchMortar, faces_over_the_seam_of_a_cylinder_are_mapped_once) {
     // Facets turned against the seam, so that a row of them lies over it.
     const NurbsSurface cylinder =
         refine(geometry::cylinderPatch(Point::Zero(), 1, 1, 0, 2 * pi), 2, 2, 2, 2);
@@ -108,7 +108,7 @@ TEST(PatchMortar, facesOverTheSeamOfACylinderAreMappedOnce) {
     }
 }
 
-TEST(PatchMortar, theDualBasisIsRefused) {
+TEST(PatchMortar, the_dual_basis_is_refused) {
     MortarOptions options;
     options.basis = MortarBasis::dual;
     const SurfaceMesh mesh = flatMesh(3, 3, FaceKind::triangles, ValuesAt::vertices);
@@ -116,7 +116,7 @@ TEST(PatchMortar, theDualBasisIsRefused) {
                      {"dual basis"});
 }
 
-TEST(SurfaceInterface, nearestElementEvaluatesTheSplinesExactly) {
+TEST(SurfaceInterface, nearest_element_evaluates_the_splines_exactly) {
     for (const SurfaceInterface& splines :
          {onePatch(TrimmedPatch(bentParameters(6, 4))), twoPatches()}) {
         const Points to = flatMesh(8, 6, FaceKind::triangles, ValuesAt::vertices).coordinates();
@@ -127,7 +127,7 @@ TEST(SurfaceInterface, nearestElementEvaluatesTheSplinesExactly) {
     }
 }
 
-TEST(SurfaceInterface, aPointOverAHoleGetsTheRimOfTheHole) {
+TEST(SurfaceInterface, a_point_over_a_hole_gets_the_rim_of_the_hole) {
     const SurfaceInterface splines = onePatch(holedPlate());
     // Along y the rim is an arc of radius 0.23 around (0.9, 0.55).
     const Location rim = splines.locate(Point(0.9, 0.60, 0));
@@ -136,7 +136,7 @@ TEST(SurfaceInterface, aPointOverAHoleGetsTheRimOfTheHole) {
     EXPECT_NEAR(splines.locate(Point(0.9, 0.9, 0)).gap, 0, 1e-14);
 }
 
-TEST(SurfaceInterface, refusesPatchesThatDoNotFitTheStructure) {
+TEST(SurfaceInterface, refuses_patches_that_do_not_fit_the_structure) {
     const TrimmedPatch patch(geometry::rectangle(Point::Zero(), 1, 1));
     expectInputError([&] { SurfaceInterface({}, 4); }, {"no patch"});
     expectInputError(

@@ -85,7 +85,7 @@ double errorNear(double eta, const SurfaceInterface& splines, const Points& mapp
 
 } // namespace
 
-TEST(PoleFaces, aPoleInsideOnASideOrAtACornerOfAFaceIsCoveredOnce) {
+TEST(PoleFaces, a_pole_inside_on_a_side_or_at_a_corner_of_a_face_is_covered_once) {
     const double halfFace = pi / 4 / 5; // of 5 faces a quarter turn
     const SurfaceInterface splines = sphere();
     for (const Eigen::Matrix3d& turn :
@@ -106,7 +106,7 @@ TEST(PoleFaces, aPoleInsideOnASideOrAtACornerOfAFaceIsCoveredOnce) {
     }
 }
 
-TEST(PoleFaces, theFieldAroundAPoleInsideAFaceIsAsGoodAsElsewhere) {
+TEST(PoleFaces, the_field_around_a_pole_inside_a_face_is_as_good_as_elsewhere) {
     const SurfaceInterface splines = sphere();
     const SurfaceMesh mesh = cubedSphere(15, turned(0.03, Point(1, 0.3, 0)));
     const Points mapped = MortarMapping(mesh, splines).apply(linearField(mesh.coordinates()));

@@ -51,7 +51,7 @@ struct Samples {
 
 } // namespace
 
-TEST(SplineMortar, passesThePatchTestBetweenPatchesThatDoNotMatch) {
+TEST(SplineMortar, passes_the_patch_test_between_patches_that_do_not_match) {
     const SurfaceInterface even = onePatch(TrimmedPatch(plate(5, 4)));
     const SurfaceInterface bent = onePatch(TrimmedPatch(bentParameters(6, 4)));
     expectPatchTest(even, bent);
@@ -62,7 +62,7 @@ TEST(SplineMortar, passesThePatchTestBetweenPatchesThatDoNotMatch) {
     EXPECT_NEAR(MortarMapping(even, twoPatches()).massMatrix().sum(), 2, 1e-13);
 }
 
-TEST(SplineMortar, passesThePatchTestBetweenTrimmedPatches) {
+TEST(SplineMortar, passes_the_patch_test_between_trimmed_patches) {
     MortarOptions options;
     options.singular = SingularMass::minimumNorm;
     expectPatchTest(onePatch(holedPlate(5, 4)), onePatch(holedPlate(7, 6)), options);
@@ -74,7 +74,7 @@ TEST(SplineMortar, passesThePatchTestBetweenTrimmedPatches) {
     EXPECT_NEAR(mapping.report().coverage, 1 - hole / 2, 2e-4); // the chords of the hole
 }
 
-TEST(SplineMortar, partsOfTheDestinationBeyondTheSourceAreLeftOutAndCounted) {
+TEST(SplineMortar, parts_of_the_destination_beyond_the_source_are_left_out_and_counted) {
     const SurfaceInterface half =
         onePatch(TrimmedPatch(refine(geometry::rectangle(Point::Zero(), 1, 1), 2, 2, 3, 3)));
     MortarOptions options;
@@ -87,7 +87,7 @@ TEST(SplineMortar, partsOfTheDestinationBeyondTheSourceAreLeftOutAndCounted) {
     EXPECT_NEAR(mapping.massMatrix().sum(), 1, 1e-13);
 }
 
-TEST(SplineMortar, isAtLeastOfTheDegreePlusOneOnCurvedPatches) {
+TEST(SplineMortar, is_at_least_of_the_degree_plus_one_on_curved_patches) {
     const SurfaceInterface from = quarterCylinder(6, 8, 8);
     const Samples fine(from, 30);
     const Eigen::VectorXd values = fine.functions.householderQr().solve(fine.exact);
@@ -104,7 +104,7 @@ TEST(SplineMortar, isAtLeastOfTheDegreePlusOneOnCurvedPatches) {
     }
 }
 
-TEST(SplineMortar, keepsConstantsAndForcesOnCurvedPatches) {
+TEST(SplineMortar, keeps_constants_and_forces_on_curved_patches) {
     const SurfaceInterface from = quarterCylinder(2, 5, 3), to = quarterCylinder(3, 4, 6);
     const MortarMapping mapping(from, to);
     EXPECT_LT(mapping.report().rowSumError, 1e-12);
@@ -114,7 +114,7 @@ TEST(SplineMortar, keepsConstantsAndForcesOnCurvedPatches) {
     expectTransposesEqual(mapping, from.nValues(), to.nValues());
 }
 
-TEST(SplineMortar, theDualBasisIsRefused) {
+TEST(SplineMortar, the_dual_basis_is_refused) {
     MortarOptions options;
     options.basis = MortarBasis::dual;
     expectInputError([&] { MortarMapping(twoPatches(), twoPatches(), options); }, {"dual basis"});

@@ -65,7 +65,7 @@ SurfaceMesh quarterCylinder(int nAround, int nAlong, ValuesAt valuesAt) {
 
 } // namespace
 
-TEST(SurfaceMortar, passesThePatchTestBetweenMeshesThatDoNotMatch) {
+TEST(SurfaceMortar, passes_the_patch_test_between_meshes_that_do_not_match) {
     for (const FaceKind kind :
          {FaceKind::triangles, FaceKind::quadrilaterals, FaceKind::polygons}) {
         const SurfaceMesh a = flatMesh(7, 5, kind, ValuesAt::vertices);
@@ -76,20 +76,20 @@ TEST(SurfaceMortar, passesThePatchTestBetweenMeshesThatDoNotMatch) {
     }
 }
 
-TEST(SurfaceMortar, passesThePatchTestBetweenCoarseAndFineMeshes) {
+TEST(SurfaceMortar, passes_the_patch_test_between_coarse_and_fine_meshes) {
     const SurfaceMesh coarse = flatMesh(1, 1, FaceKind::triangles, ValuesAt::vertices);
     const SurfaceMesh fine = flatMesh(100, 100, FaceKind::quadrilaterals, ValuesAt::vertices);
     expectPatchTest(coarse, fine, MortarBasis::standard);
     expectPatchTest(fine, coarse, MortarBasis::standard);
 }
 
-TEST(SurfaceMortar, passesThePatchTestOnStretchedMeshes) {
+TEST(SurfaceMortar, passes_the_patch_test_on_stretched_meshes) {
     const SurfaceMesh a = flatMesh(5, 6, FaceKind::triangles, ValuesAt::vertices, 1, 1e-3);
     const SurfaceMesh b = flatMesh(8, 3, FaceKind::triangles, ValuesAt::vertices, 1, 1e-3, 4);
     expectPatchTest(a, b, MortarBasis::standard);
 }
 
-TEST(SurfaceMortar, mapsConstantsBetweenVertexAndFaceValues) {
+TEST(SurfaceMortar, maps_constants_between_vertex_and_face_values) {
     for (const ValuesAt fromAt : {ValuesAt::vertices, ValuesAt::faces}) {
         for (const ValuesAt toAt : {ValuesAt::vertices, ValuesAt::faces}) {
             const SurfaceMesh from = flatMesh(6, 5, FaceKind::quadrilaterals, fromAt);
@@ -102,7 +102,7 @@ TEST(SurfaceMortar, mapsConstantsBetweenVertexAndFaceValues) {
     }
 }
 
-TEST(SurfaceMortar, faceValuesOfALinearFieldAreItsMeansOverTheFaces) {
+TEST(SurfaceMortar, face_values_of_a_linear_field_are_its_means_over_the_faces) {
     const SurfaceMesh from = flatMesh(6, 5, FaceKind::triangles, ValuesAt::vertices);
     const SurfaceMesh to = flatMesh(4, 7, FaceKind::triangles, ValuesAt::faces, 2, 1, 1);
     const Points mapped = MortarMapping(from, to).apply(linearField(from.coordinates()));
@@ -110,7 +110,7 @@ TEST(SurfaceMortar, faceValuesOfALinearFieldAreItsMeansOverTheFaces) {
     EXPECT_LT((mapped - linearField(to.coordinates())).cwiseAbs().maxCoeff(), 1e-12);
 }
 
-TEST(SurfaceMortar, scalePositionAndRotationDoNotMatter) {
+TEST(SurfaceMortar, scale_position_and_rotation_do_not_matter) {
     const Points values = probeForces(36);
     const Points reference = MortarMapping(placed(5, 0, 1, 0), placed(4, 2, 1, 0)).apply(values);
     for (const double scale : {1e-6, 1.0, 1e6}) {
@@ -125,7 +125,7 @@ TEST(SurfaceMortar, scalePositionAndRotationDoNotMatter) {
     }
 }
 
-TEST(SurfaceMortar, keepsConstantsAndForcesBetweenFacetedSidesThatDoNotCoincide) {
+TEST(SurfaceMortar, keeps_constants_and_forces_between_faceted_sides_that_do_not_coincide) {
     const SurfaceMesh from = quarterCylinder(12, 5, ValuesAt::faces);
     const SurfaceMesh to = quarterCylinder(7, 4, ValuesAt::vertices);
     const MortarMapping mapping(from, to);
@@ -136,7 +136,7 @@ TEST(SurfaceMortar, keepsConstantsAndForcesBetweenFacetedSidesThatDoNotCoincide)
     expectTransposesEqual(mapping, from.nValues(), to.nValues());
 }
 
-TEST(SurfaceMortar, aWideGapLimitDoesNotChangeTheResult) {
+TEST(SurfaceMortar, a_wide_gap_limit_does_not_change_the_result) {
     const auto mappedWithin = [](const SurfaceMesh& from, const SurfaceMesh& to, double limit) {
         MortarOptions options;
         options.gapLimit.relative = limit;
@@ -158,7 +158,7 @@ TEST(SurfaceMortar, aWideGapLimitDoesNotChangeTheResult) {
     }
 }
 
-TEST(SurfaceMortar, aSourceHighAboveTheDestinationIsFoundAlongItsNormal) {
+TEST(SurfaceMortar, a_source_high_above_the_destination_is_found_along_its_normal) {
     // Rotated, the normal lies across all axes.
     const SurfaceMesh from = placed(9, 0, 1, 0), flat = placed(7, 2, 1, 0);
     const Point normal = flat.triangle(0).unitNormal();
@@ -179,7 +179,7 @@ TEST(SurfaceMortar, aSourceHighAboveTheDestinationIsFoundAlongItsNormal) {
     EXPECT_LT((mapping.apply(values) - reference.apply(values)).cwiseAbs().maxCoeff(), 1e-12);
 }
 
-TEST(SurfaceMortar, aThinBodysOtherSideIsNotMapped) {
+TEST(SurfaceMortar, a_thin_bodys_other_side_is_not_mapped) {
     // Two plates a hundredth apart, both within the gap limit of each other.
     const auto twoPlates = [](int n, double value, Points* values) {
         const SurfaceMesh plate = flatMesh(n, n, FaceKind::triangles, ValuesAt::vertices, 1, 1, n);
@@ -211,7 +211,7 @@ TEST(SurfaceMortar, aThinBodysOtherSideIsNotMapped) {
     EXPECT_NEAR(mapping.report().coverage, 1, 1e-9);
 }
 
-TEST(SurfaceMortar, aPartlyCoveredDestinationTakesConstantsAndCountsTheRest) {
+TEST(SurfaceMortar, a_partly_covered_destination_takes_constants_and_counts_the_rest) {
     const SurfaceMesh from = flatMesh(6, 6, FaceKind::triangles, ValuesAt::vertices, 1, 1);
     const SurfaceMesh to = flatMesh(10, 5, FaceKind::triangles, ValuesAt::vertices, 2, 1);
     const MortarMapping mapping(from, to);

@@ -30,7 +30,7 @@ Point moment(const Points& positions, const Points& forces) {
 
 } // namespace
 
-TEST(NearestElementMapping, reproducesRigidMotionsExactly) {
+TEST(NearestElementMapping, reproduces_rigid_motions_exactly) {
     const SplineInterface interface = flapInterface();
     const Points to = flapPoints(37);
     const NearestElementMapping mapping(interface, to);
@@ -43,7 +43,7 @@ TEST(NearestElementMapping, reproducesRigidMotionsExactly) {
     EXPECT_LT((mapped - displacement(to)).cwiseAbs().maxCoeff(), 1e-14);
 }
 
-TEST(NearestElementMapping, conservesForceAndMoment) {
+TEST(NearestElementMapping, conserves_force_and_moment) {
     const SplineInterface interface = flapInterface();
     const Points to = flapPoints(37), forces = unevenForces(111);
     const NearestElementMapping mapping(interface, to);
@@ -53,7 +53,7 @@ TEST(NearestElementMapping, conservesForceAndMoment) {
     EXPECT_LT((moment(interface.coordinates(), mapped) - moment(to, forces)).norm(), 1e-12 * total);
 }
 
-TEST(NearestElementMapping, isTheTransposeOfItsConservativePartner) {
+TEST(NearestElementMapping, is_the_transpose_of_its_conservative_partner) {
     const SplineInterface interface = quarterCircle(3, 5);
     Points to(41, 3);
     for (int i = 0; i < 41; ++i) {
@@ -66,7 +66,7 @@ TEST(NearestElementMapping, isTheTransposeOfItsConservativePartner) {
     EXPECT_NEAR(work, values.cwiseProduct(mapping.applyTransposed(forces)).sum(), 1e-14 * 41);
 }
 
-TEST(NearestElementMapping, evaluatesTheDeformedRationalCurveExactly) {
+TEST(NearestElementMapping, evaluates_the_deformed_rational_curve_exactly) {
     const SplineInterface interface = quarterCircle(3, 5);
     const geometry::NurbsCurve& curve = interface.pieces()[0].curve;
     Points to(21, 3);
@@ -81,7 +81,7 @@ TEST(NearestElementMapping, evaluatesTheDeformedRationalCurveExactly) {
     }
 }
 
-TEST(NearestElementMapping, reportsWhatItFound) {
+TEST(NearestElementMapping, reports_what_it_found) {
     const SplineInterface interface = flapInterface();
     Points to = flapPoints(20);
     to(7, 0) -= 0.004;
@@ -102,7 +102,7 @@ TEST(NearestElementMapping, reportsWhatItFound) {
     }
 }
 
-TEST(NearestElementMapping, refusesAGapAndNamesPointGapAndLimit) {
+TEST(NearestElementMapping, refuses_a_gap_and_names_point_gap_and_limit) {
     const SplineInterface interface = flapInterface();
     Points to = flapPoints(20);
     to.row(33) += Eigen::RowVector3d(0, 0.25, 0);
@@ -113,7 +113,7 @@ TEST(NearestElementMapping, refusesAGapAndNamesPointGapAndLimit) {
     EXPECT_NEAR(mapping.report().coverage, 59.0 / 60, 1e-15);
 }
 
-TEST(NearestElementMapping, refusesPointsThatAreNotFiniteAndAnEmptyInterface) {
+TEST(NearestElementMapping, refuses_points_that_are_not_finite_and_an_empty_interface) {
     const SplineInterface interface = flapInterface();
     Points to = flapPoints(4);
     to(5, 1) = NAN;
@@ -121,7 +121,7 @@ TEST(NearestElementMapping, refusesPointsThatAreNotFiniteAndAnEmptyInterface) {
     expectInputError([&] { NearestElementMapping(interface, Points(0, 3)); }, {"no point"});
 }
 
-TEST(NearestElementMapping, scalePositionAndRotationDoNotMatter) {
+TEST(NearestElementMapping, scale_position_and_rotation_do_not_matter) {
     const SplineInterface interface = quarterCircle(2, 6);
     const geometry::NurbsCurve& curve = interface.pieces()[0].curve;
     Points to(33, 3);

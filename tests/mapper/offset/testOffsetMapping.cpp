@@ -103,7 +103,7 @@ std::vector<Scene> scenes() {
 
 } // namespace
 
-TEST(OffsetMapping, findsTheDistancesWithTheirSides) {
+TEST(OffsetMapping, finds_the_distances_with_their_sides) {
     const Eigen::VectorXd offsets = OffsetMapping(beam(), aroundBeam()).offsets();
     for (int i = 0; i < 24; ++i) {
         // Left of a counter-clockwise arc lies its centre.
@@ -114,7 +114,7 @@ TEST(OffsetMapping, findsTheDistancesWithTheirSides) {
     EXPECT_NEAR(offsets[50], 0, 1e-14);
 }
 
-TEST(OffsetMapping, pointsFollowFiniteRigidMotionsExactly) {
+TEST(OffsetMapping, points_follow_finite_rigid_motions_exactly) {
     for (const Scene& scene : scenes()) {
         const Point axis =
             scene.isPlane ? Point(Point::UnitZ()) : Point(Point(1, -2, 3).normalized());
@@ -130,7 +130,7 @@ TEST(OffsetMapping, pointsFollowFiniteRigidMotionsExactly) {
     }
 }
 
-TEST(OffsetMapping, theVariationIsTheDerivativeOfTheMotion) {
+TEST(OffsetMapping, the_variation_is_the_derivative_of_the_motion) {
     for (const Scene& scene : scenes()) {
         const Points state = deformation(scene.controlPoints, scene.isPlane);
         const Points direction = forcesOn(state.rows(), scene.isPlane);
@@ -143,7 +143,7 @@ TEST(OffsetMapping, theVariationIsTheDerivativeOfTheMotion) {
     }
 }
 
-TEST(OffsetMapping, virtualWorkIsConservedInAnyState) {
+TEST(OffsetMapping, virtual_work_is_conserved_in_any_state) {
     for (const Scene& scene : scenes()) {
         for (const double size : {0.0, 1.0}) {
             const Points state = size * deformation(scene.controlPoints, scene.isPlane);
@@ -157,7 +157,7 @@ TEST(OffsetMapping, virtualWorkIsConservedInAnyState) {
     }
 }
 
-TEST(OffsetMapping, forceAndMomentArriveInTheDeformedState) {
+TEST(OffsetMapping, force_and_moment_arrive_in_the_deformed_state) {
     for (const Scene& scene : scenes()) {
         const Points state = deformation(scene.controlPoints, scene.isPlane);
         const Points forces = forcesOn(scene.points.rows(), scene.isPlane);
@@ -170,7 +170,7 @@ TEST(OffsetMapping, forceAndMomentArriveInTheDeformedState) {
     }
 }
 
-TEST(OffsetMapping, reportsConservationAndRefusesPointsTooFarAway) {
+TEST(OffsetMapping, reports_conservation_and_refuses_points_too_far_away) {
     for (const Scene& scene : scenes()) {
         EXPECT_LT(scene.mapping.report().rowSumError, 1e-13);
         EXPECT_LT(scene.mapping.report().forceSumError, 1e-13);
@@ -182,7 +182,7 @@ TEST(OffsetMapping, reportsConservationAndRefusesPointsTooFarAway) {
     expectInputError([&] { OffsetMapping(beam(), far); }, {"point 3", "limit is 0.1"});
 }
 
-TEST(OffsetMapping, refusesABeamOutOfItsPlane) {
+TEST(OffsetMapping, refuses_a_beam_out_of_its_plane) {
     const geometry::NurbsCurve axis = geometry::line(Point::Zero(), Point(1, 0, 0.2));
     const SplineInterface interface({{axis, {0, 1}, "mast"}}, 2);
     expectInputError([&] { OffsetMapping(interface, Points::Zero(1, 3)); }, {"mast", "0.2"});

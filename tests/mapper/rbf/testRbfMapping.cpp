@@ -40,7 +40,7 @@ RbfOptions with(RadialKernel kernel) {
 
 } // namespace
 
-TEST(RbfMapping, takesLinearFieldsExactlyAndConservesForceAndMoment) {
+TEST(RbfMapping, takes_linear_fields_exactly_and_conserves_force_and_moment) {
     const Points line = verticalMesh(12).coordinates(), otherLine = verticalMesh(17).coordinates();
     const std::pair<Points, Points> pairs[] = {{cloud(9, 7, 0), cloud(6, 8, 2)},
                                                {bent(cloud(9, 7, 0)), bent(cloud(6, 8, 2))},
@@ -63,14 +63,14 @@ TEST(RbfMapping, takesLinearFieldsExactlyAndConservesForceAndMoment) {
     }
 }
 
-TEST(RbfMapping, passesThroughTheValuesOfTheSource) {
+TEST(RbfMapping, passes_through_the_values_of_the_source) {
     const Points from = bent(cloud(9, 7, 0)), values = probeForces(from.rows());
     for (const RadialKernel kernel : allKernels) {
         EXPECT_LT((RbfMapping(from, from, with(kernel)).apply(values) - values).norm(), 1e-9);
     }
 }
 
-TEST(RbfMapping, errorsOfASmoothFieldFallWithTheSpacingAtAFixedRadius) {
+TEST(RbfMapping, errors_of_a_smooth_field_fall_with_the_spacing_at_a_fixed_radius) {
     const Points to = cloud(13, 9, 4);
     const auto smooth = [](const Points& x) -> Eigen::VectorXd {
         return (2 * x.col(0)).array().sin() * (3 * x.col(1)).array().cos();
@@ -91,7 +91,7 @@ TEST(RbfMapping, errorsOfASmoothFieldFallWithTheSpacingAtAFixedRadius) {
     }
 }
 
-TEST(RbfMapping, scalePositionAndRotationDoNotMatter) {
+TEST(RbfMapping, scale_position_and_rotation_do_not_matter) {
     const Points from = bent(cloud(9, 7, 0)), to = bent(cloud(6, 8, 2));
     const Points values = probeForces(from.rows());
     const Eigen::Matrix3d rotation =
@@ -109,7 +109,7 @@ TEST(RbfMapping, scalePositionAndRotationDoNotMatter) {
     }
 }
 
-TEST(RbfMapping, rotationDoesNotMatterForThePartitionOfUnityOfALargeCloud) {
+TEST(RbfMapping, rotation_does_not_matter_for_the_partition_of_unity_of_a_large_cloud) {
     const Points from = bent(cloud(40, 20, 0)), to = bent(cloud(31, 18, 2));
     const Points values = probeForces(from.rows());
     const Eigen::Matrix3d rotation =
@@ -123,7 +123,7 @@ TEST(RbfMapping, rotationDoesNotMatterForThePartitionOfUnityOfALargeCloud) {
     }
 }
 
-TEST(RbfMapping, theAutomaticRadiusHoldsTheNeighboursOfEveryPoint) {
+TEST(RbfMapping, the_automatic_radius_holds_the_neighbours_of_every_point) {
     const Points from = cloud(20, 10, 0);
     RbfOptions options = with(RadialKernel::compactC2);
     options.nNeighbours = 15;
@@ -137,7 +137,7 @@ TEST(RbfMapping, theAutomaticRadiusHoldsTheNeighboursOfEveryPoint) {
     EXPECT_EQ(fewest, 16); // itself and 15
 }
 
-TEST(RbfMapping, thePartitionOfUnityTakesLinearFieldsAndConservesForceAndMoment) {
+TEST(RbfMapping, the_partition_of_unity_takes_linear_fields_and_conserves_force_and_moment) {
     const Points line = verticalMesh(300).coordinates(),
                  otherLine = verticalMesh(170).coordinates();
     const std::pair<Points, Points> pairs[] = {{cloud(40, 20, 0), cloud(31, 18, 2)},
@@ -159,7 +159,7 @@ TEST(RbfMapping, thePartitionOfUnityTakesLinearFieldsAndConservesForceAndMoment)
     }
 }
 
-TEST(RbfMapping, thePartitionOfUnityIsAboutAsGoodAsTheGlobalSolution) {
+TEST(RbfMapping, the_partition_of_unity_is_about_as_good_as_the_global_solution) {
     const Points from = bent(cloud(44, 22, 0)), to = bent(cloud(61, 30, 3));
     const auto smooth = [](const Points& x) -> Eigen::VectorXd {
         return (2 * x.col(0)).array().sin() * (3 * x.col(2)).array().cos();
@@ -174,7 +174,7 @@ TEST(RbfMapping, thePartitionOfUnityIsAboutAsGoodAsTheGlobalSolution) {
     EXPECT_LT(errorBy(RbfSolution::partitionOfUnity), 1.5 * global);
 }
 
-TEST(RbfMapping, aHundredThousandPointsAreMappedByThePartitionOfUnityInLittleMemory) {
+TEST(RbfMapping, a_hundred_thousand_points_are_mapped_by_the_partition_of_unity_in_little_memory) {
     const Points from = bent(cloud(446, 224, 0)), to = bent(cloud(300, 300, 3));
     ASSERT_GT(from.rows(), 100000);
     const RbfMapping mapping(from, to);
@@ -186,7 +186,7 @@ TEST(RbfMapping, aHundredThousandPointsAreMappedByThePartitionOfUnityInLittleMem
     EXPECT_LT((mapping.apply(values) - exact).cwiseAbs().maxCoeff(), 2e-5);
 }
 
-TEST(RbfMapping, solvesTheThinPlateGloballyForFewSourcePointsWithinTheBoundOfMemory) {
+TEST(RbfMapping, solves_the_thin_plate_globally_for_few_source_points_within_the_bound_of_memory) {
     const RbfOptions options;
     EXPECT_EQ(chosenSolution(options, 300, 1000), RbfSolution::global);
     EXPECT_EQ(chosenSolution(options, 301, 1000), RbfSolution::partitionOfUnity);
@@ -200,7 +200,7 @@ TEST(RbfMapping, solvesTheThinPlateGloballyForFewSourcePointsWithinTheBoundOfMem
     EXPECT_EQ(RbfMapping(few, to).report().method.find("partition"), std::string::npos);
 }
 
-TEST(RbfMapping, solvesCompactKernelsGloballyOnlyIfTheirNumberOfNeighboursIsGiven) {
+TEST(RbfMapping, solves_compact_kernels_globally_only_if_their_number_of_neighbours_is_given) {
     for (const RadialKernel kernel : {RadialKernel::compactC2, RadialKernel::compactC6}) {
         RbfOptions options = with(kernel);
         EXPECT_EQ(chosenSolution(options, 20, 20), RbfSolution::partitionOfUnity);
@@ -212,7 +212,7 @@ TEST(RbfMapping, solvesCompactKernelsGloballyOnlyIfTheirNumberOfNeighboursIsGive
     }
 }
 
-TEST(RbfMapping, thePartitionOfUnityTakesTheRadiusOfACompactKernel) {
+TEST(RbfMapping, the_partition_of_unity_takes_the_radius_of_a_compact_kernel) {
     const auto smooth = [](const Points& x) -> Eigen::VectorXd {
         return (4 * x.col(0)).array().sin() * (3 * x.col(1)).array().cos();
     };
@@ -234,7 +234,7 @@ TEST(RbfMapping, thePartitionOfUnityTakesTheRadiusOfACompactKernel) {
               0.5 * errorWithin(RadialKernel::compactC2, 1));
 }
 
-TEST(RbfMapping, theAutomaticChoiceIsAboutAsAccurateAsTheBetterSolution) {
+TEST(RbfMapping, the_automatic_choice_is_about_as_accurate_as_the_better_solution) {
     const auto smooth = [](const Points& x) -> Eigen::VectorXd {
         return (2 * x.col(0)).array().sin() * (3 * x.col(2)).array().cos();
     };
@@ -255,7 +255,7 @@ TEST(RbfMapping, theAutomaticChoiceIsAboutAsAccurateAsTheBetterSolution) {
     }
 }
 
-TEST(RbfMapping, mapsFromAFewPointsWithEveryKernel) {
+TEST(RbfMapping, maps_from_a_few_points_with_every_kernel) {
     const Points to = cloud(5, 4, 1);
     for (const RadialKernel kernel : allKernels) {
         for (const int n : {1, 2, 3}) {
@@ -269,7 +269,7 @@ TEST(RbfMapping, mapsFromAFewPointsWithEveryKernel) {
     }
 }
 
-TEST(RbfMapping, refusesCoincidingPointsTooManyPointsAndFarOnes) {
+TEST(RbfMapping, refuses_coinciding_points_too_many_points_and_far_ones) {
     Points from = cloud(4, 4, 0);
     from.row(7) = from.row(3);
     expectInputError([&] { RbfMapping(from, from); }, {"point 3", "coincides"});

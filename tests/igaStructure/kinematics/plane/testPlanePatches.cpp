@@ -118,7 +118,7 @@ StressError stressError(EdgeMethod method, Kinematics kinematics, int degree, in
 
 } // namespace
 
-TEST(PlanePatches, stressesOfAPlateWithATrimmedHoleConvergeToKirschs) {
+TEST(PlanePatches, stresses_of_a_plate_with_a_trimmed_hole_converge_to_kirschs) {
     for (const EdgeMethod method : {EdgeMethod::nitsche, EdgeMethod::penalty}) {
         const StressError coarse = stressError(method, Kinematics::planeStress, 3, 16);
         const StressError fine = stressError(method, Kinematics::planeStress, 3, 32);
@@ -189,7 +189,7 @@ std::string messageOf(const std::function<void()>& make) {
 
 } // namespace
 
-TEST(PlanePatches, linearFieldOnTheBoundaryOfTwoTrimmedPatchesFillsThem) {
+TEST(PlanePatches, linear_field_on_the_boundary_of_two_trimmed_patches_fills_them) {
     const CadFile file;
     std::string supports;
     for (const char* edge : {"south", "south east", "outer", "north east", "north", "inner"}) {
@@ -224,7 +224,7 @@ TEST(PlanePatches, linearFieldOnTheBoundaryOfTwoTrimmedPatchesFillsThem) {
     }
 }
 
-TEST(PlanePatches, mistakesAreNamed) {
+TEST(PlanePatches, mistakes_are_named) {
     const CadFile file;
     const std::string model = "{kinematics: planeStrain, strains: linear}";
     EXPECT_THAT(messageOf([&] { file.readCase("  - {brepEdge: nowhere, fix: [x, y]}\n", model); }),
