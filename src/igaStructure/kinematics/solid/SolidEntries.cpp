@@ -2,6 +2,7 @@
 #include "igaStructure/kinematics/solid/SolidEntries.hpp"
 
 #include "geometry/primitives/volumePrimitives.hpp"
+#include "igaStructure/kinematics/solid/solidSupports.hpp"
 
 #include <fmt/format.h>
 
@@ -65,8 +66,10 @@ geometry::NurbsVolume SolidGeometry::thickened(double thickness) const {
 }
 
 SolidDescription makeSolid(const SolidEntries& entries, const CaseContext&) {
+    const geometry::NurbsVolume volume = makeVolume(entries);
     std::vector<SolidSupport> supports;
     for (const SolidSupportEntries& support : entries.supports) {
+        support.at("faces", [&] { requireCommonPoints(volume, support.faces); });
         const std::array<bool, 3> fixed = fixedComponents<3>(support.fix);
         std::vector<std::string> names;
         for (const geometry::Side face : support.faces) {
@@ -76,8 +79,8 @@ SolidDescription makeSolid(const SolidEntries& entries, const CaseContext&) {
                             supportMotion(support, support.displacement, fixed),
                             fmt::format("{}", fmt::join(names, "-"))});
     }
-    return {makeVolume(entries),      entries.material.material(), entries.model.strains, supports,
-            makeLoads(entries.loads), entries.geometry.isSlit};
+    return {volume,   entries.material.material(), entries.model.strains,
+            supports, makeLoads(entries.loads),    entries.geometry.isSlit};
 }
 
 } // namespace tokay::structure

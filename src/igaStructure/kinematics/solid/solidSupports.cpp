@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/kinematics/solid/solidSupports.hpp"
 
+#include "common/errors.hpp"
 #include "igaStructure/kinematics/curvePoints.hpp"
 #include "igaStructure/kinematics/solid/SidePoints.hpp"
 
@@ -28,6 +29,14 @@ std::vector<int> commonControlPoints(const geometry::NurbsVolume& volume,
 }
 
 } // namespace
+
+void requireCommonPoints(const geometry::NurbsVolume& volume,
+                         const std::vector<geometry::Side>& sides) {
+    if (commonControlPoints(volume, sides).empty()) {
+        throw InputError("faces that do not meet have no common edge: a support of each of them "
+                         "is an item of its own");
+    }
+}
 
 std::vector<bool> fixedUnknowns(const geometry::NurbsVolume& volume,
                                 const std::vector<SolidSupport>& supports) {

@@ -14,6 +14,10 @@ namespace tokay::structure {
 std::vector<bool> fixedUnknowns(const geometry::NurbsVolume& volume,
                                 const std::vector<SolidSupport>& supports);
 
+/// @throws InputError if sides have no control point in common
+void requireCommonPoints(const geometry::NurbsVolume& volume,
+                         const std::vector<geometry::Side>& sides);
+
 /// Motion of the unknowns of supports that move; what another holds at rest stays so.
 SupportTrace supportTrace(const SolidDescription& solid, const PatchNodes& nodes);
 
