@@ -37,7 +37,8 @@ InterfaceFaces readFaces(const Body& body, const Interface& fluid) {
 
 WetBoundary::WetBoundary(const Body& body, const Coupling& coupling, const Interface& fluid)
     : dimension_(body.dimension()), faces_(readFaces(body, fluid)),
-      transfer_(body.transfer(coupling, faces_.mesh())) {}
+      transfer_(isEdge() ? body.edgeTransfer(coupling, faces_.mesh())
+                         : body.transfer(coupling, faces_.mesh())) {}
 
 Eigen::VectorXd WetBoundary::components(const Points& ofPoints) const {
     const PointRows values = ofPoints.leftCols(dimension_);

@@ -69,9 +69,6 @@ std::unique_ptr<InterfaceTransfer> Body::edgeTransfer(const Coupling& coupling,
 
 std::unique_ptr<InterfaceTransfer> Body::transfer(const Coupling& coupling,
                                                   const mapper::FaceMesh& fluid) const {
-    if (fluid.hasOnlyPoints()) {
-        return edgeTransfer(coupling, fluid);
-    }
     const WetSurface surface = wetSurface(coupling.interface);
     const bool isLinear = model().isLinear();
     return std::visit(

@@ -88,11 +88,17 @@ class Body {
     virtual std::unique_ptr<const mapper::CurveInterface>
     edges(const std::vector<std::string>& names) const;
 
-    /// Transfer to and from a fluid's interface; or, if its faces are points, to and from
-    /// those of another structure's edge: displacements there, and forces [N].
+    /// Transfer to and from a fluid's interface.
     /// @throws InputError if the two sides do not fit: names, gaps
     std::unique_ptr<InterfaceTransfer> transfer(const Coupling& coupling,
                                                 const mapper::FaceMesh& fluid) const;
+
+    /// Transfer to and from points of another structure's edge: displacements there, and
+    /// forces [N].
+    /// @param points  faces of one vertex each
+    /// @throws InputError as edges(), and for gaps
+    std::unique_ptr<InterfaceTransfer> edgeTransfer(const Coupling& coupling,
+                                                    const mapper::FaceMesh& points) const;
 
   protected:
     /// With the fields of the motion: displacement, velocity and acceleration.
@@ -101,9 +107,6 @@ class Body {
     void add(BodyField field) { fields_.push_back(std::move(field)); }
 
   private:
-    std::unique_ptr<InterfaceTransfer> edgeTransfer(const Coupling& coupling,
-                                                    const mapper::FaceMesh& points) const;
-
     /// Depth across the plane of a 2D scene [m]; 1 in space.
     virtual double depth() const { return 1; }
 

@@ -5,6 +5,7 @@
 #include "igaStructure/coupledRun/WetBoundary.hpp"
 #include "igaStructure/exampleCase.hpp"
 #include "igaStructure/kinematics/beam/BeamBody.hpp"
+#include "igaStructure/kinematics/facesAtPoints.hpp"
 #include "igaStructure/tableRows.hpp"
 #include "temporaryDirectory.hpp"
 
@@ -45,22 +46,17 @@ VectorXd randomVector(Eigen::Index size, double amplitude, unsigned seed) {
     return vector;
 }
 
-// The fluid's faces around the flap, each with its centre as its only point, so
-// that the motion of face centres is seen.
-channel::Interface centresOf(const channel::Interface& fluid) {
-    channel::Interface centres = fluid;
-    centres.points.clear();
-    centres.facePoints.clear();
-    centres.faceOffsets = {0};
-    for (std::uint32_t face = 0; face + 1 < fluid.faceOffsets.size(); ++face) {
-        const std::uint32_t first = fluid.facePoints[fluid.faceOffsets[face]];
-        const std::uint32_t second = fluid.facePoints[fluid.faceOffsets[face] + 1];
-        for (int c = 0; c < 2; ++c) {
-            centres.points.push_back(0.5 *
-                                     (fluid.points[2 * first + c] + fluid.points[2 * second + c]));
+// Centres of the fluid's faces around the flap.
+geometry::Points centresOf(const channel::Interface& fluid) {
+    geometry::Points centres =
+        geometry::Points::Zero(static_cast<Eigen::Index>(fluid.faceOffsets.size()) - 1, 3);
+    for (Eigen::Index face = 0; face < centres.rows(); ++face) {
+        for (int end = 0; end < 2; ++end) {
+            const std::uint32_t point = fluid.facePoints[fluid.faceOffsets[face] + end];
+            for (int c = 0; c < 2; ++c) {
+                centres(face, c) += 0.5 * fluid.points[2 * point + c];
+            }
         }
-        centres.facePoints.push_back(face);
-        centres.faceOffsets.push_back(face + 1);
     }
     return centres;
 }
@@ -78,19 +74,21 @@ Coupling offsetCoupling(LoadTransfer loads = LoadTransfer::transposed) {
 TEST(BeamTransfer, forces_and_motion_of_face_centres_do_the_same_virtual_work_at_any_state) {
     for (Strains strains : {Strains::linear, Strains::nonlinear}) {
         const BeamBody body = flap(strains);
-        const channel::Interface centres = centresOf(flapInterface(20));
-        const WetBoundary boundary(body, offsetCoupling(), centres);
+        const geometry::Points centres = centresOf(flapInterface(20));
+        const auto transfer = body.transfer(offsetCoupling(), facesAtPoints(centres));
         const int n = body.model().nUnknowns();
         const VectorXd d = randomVector(n, 0.05, 1);
         const VectorXd variation = randomVector(n, 1, 2);
-        const VectorXd faceForces = randomVector(boundary.nComponents(), 1, 3);
+        geometry::Points forces = geometry::Points::Zero(centres.rows(), 3);
+        forces.leftCols(2) =
+            randomVector(2 * static_cast<int>(centres.rows()), 1, 3).reshaped(centres.rows(), 2);
         const double h = 1e-5; // central difference: errors below 1e-8
-        const VectorXd motion = (boundary.displacements(d + h * variation) -
-                                 boundary.displacements(d - h * variation)) /
-                                (2 * h);
-        const VectorXd onUnknowns = boundary.forces(faceForces, d);
-        const double work = faceForces.dot(motion);
-        EXPECT_NEAR(onUnknowns.dot(variation), work, 1e-7 * faceForces.norm() * motion.norm());
+        const geometry::Points motion = (transfer->displacements(d + h * variation) -
+                                         transfer->displacements(d - h * variation)) /
+                                        (2 * h);
+        const double work = motion.cwiseProduct(forces).sum();
+        EXPECT_NEAR(transfer->forces(d, forces).dot(variation), work,
+                    1e-7 * forces.norm() * motion.norm());
     }
 }
 
