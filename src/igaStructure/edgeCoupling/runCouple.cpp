@@ -49,11 +49,7 @@ CoupledPair readPair(const std::vector<std::string>& files) {
 }
 
 std::unique_ptr<const mapper::CurveInterface> edgesOf(const Case& side, const Body& body) {
-    try {
-        return body.edges(side.coupling->interface);
-    } catch (const InputError& error) {
-        throw side.coupling->error("interface", error.what());
-    }
+    return side.coupling->at("interface", [&] { return body.edges(side.coupling->interface); });
 }
 
 void requireSameDimension(const CoupledPair& pair, const Body& loaded, const Body& moved) {

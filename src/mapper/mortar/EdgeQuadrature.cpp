@@ -25,7 +25,8 @@ std::map<int, double> largestValues(const std::vector<CommonPoint>& points) {
     return largest;
 }
 
-// The other way round the gauss points say nothing: an edge may reach beyond them.
+// Gauss points lie on both edges, so they do not show that the edge which is met goes on
+// beyond the other one.
 void requireWithin(const CurveInterface& from, const CurveInterface& to, const GapLimit& limit) {
     GapStatistics gaps(limit, from.size());
     for (int i = 0; i < from.nCurves(); ++i) {

@@ -62,7 +62,8 @@ std::vector<std::string> PlanePatchesBody::advice() const {
 }
 
 WetSurface PlanePatchesBody::wetSurface(const std::vector<std::string>& /*names*/) const {
-    throw InputError("coupling: edges of trimmed patches in the plane are no interface");
+    throw InputError("coupling: edges of trimmed patches in the plane are no interface; take a "
+                     "single patch (geometry.rectangle or nurbs), or remove the entry");
 }
 
 } // namespace tokay::structure
