@@ -3,6 +3,7 @@
 #include "ScriptedFluid.hpp"
 #include "common/version.hpp"
 #include "exampleCase.hpp"
+#include "tableRows.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -154,6 +155,18 @@ TEST_F(CoupledProgram, goodbye_ends_it_in_good_order) {
     channel->send(channel::Goodbye{"end time reached"});
     EXPECT_EQ(program->wait(), 0);
     EXPECT_THAT(program->output(), HasSubstr("the fluid ends the run: end time reached"));
+}
+
+TEST_F(CoupledProgram, tables_reach_a_time_before_the_fluid_is_told_to_write_it) {
+    channel->send(channel::Forces{true, true, 0, forceOnLeft(fluid, 100)});
+    channel->receive<channel::Displacements>("displacements");
+    program->signal(SIGKILL);
+    program->wait();
+    for (const char* table : {"watchPoints.dat", "energy.dat", "iterations.dat"}) {
+        const auto rows = tableRows(directory.read(std::string("postProcessing/case/0/") + table));
+        ASSERT_EQ(rows.size(), 1u) << table;
+        EXPECT_DOUBLE_EQ(rows.front().front(), 0.01) << table;
+    }
 }
 
 TEST_F(CoupledProgram, results_that_cannot_be_written_end_both_sides) {

@@ -38,8 +38,9 @@ class CoupledParticipant {
     /// @param final  on the fluid's faces, finite
     virtual StructureResponse acceptTimeStep(const channel::Forces& final) = 0;
 
-    /// Writes the results of the accepted step, while the fluid goes on. What a restart
-    /// needs has been written by acceptTimeStep().
+    /// Writes the results of the accepted step: while the fluid goes on, or before it is told
+    /// where it writes the time, from which both may start again. The state for that has been
+    /// written by acceptTimeStep().
     virtual void finishTimeStep() = 0;
 
     /// Takes the step back; it begins again, shorter.

@@ -171,12 +171,16 @@ void CoupledSession::advance(const BeginStep& begin) {
         } else if (!response.accepted) {
             send(response.converged ? State::converged : State::iterate, response);
         } else {
-            send(State::accepted, response);
             acceptedTime_ = time_;
-            if (recorder_) {
-                recorder_->add(time_, response.displacements);
+            // The fluid may start again from a time that it writes, and the tables would have
+            // a gap: their rows are there first. Else they overlap with the fluid's next step.
+            if (forces->write) {
+                finishTimeStep(response);
+                send(State::accepted, response);
+            } else {
+                send(State::accepted, response);
+                finishTimeStep(response);
             }
-            participant_->finishTimeStep();
             if (!forces->fluidTimes.empty()) {
                 participant_->removeStatesExcept(forces->fluidTimes);
             }
@@ -184,6 +188,13 @@ void CoupledSession::advance(const BeginStep& begin) {
         }
     }
     participant_->rejectTimeStep();
+}
+
+void CoupledSession::finishTimeStep(const StructureResponse& response) {
+    if (recorder_) {
+        recorder_->add(time_, response.displacements);
+    }
+    participant_->finishTimeStep();
 }
 
 // The next forces, or none if the fluid rejects the step.

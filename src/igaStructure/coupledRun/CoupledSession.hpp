@@ -32,6 +32,7 @@ class CoupledSession {
     std::string checkCoverage(const channel::Interface& fluid) const;
     std::optional<channel::BeginStep> nextStep();
     void advance(const channel::BeginStep& begin);
+    void finishTimeStep(const StructureResponse& response);
     std::optional<channel::Forces> nextForces();
     StructureResponse respondTo(const channel::Forces& forces);
     channel::Message receive(const std::string& waitingFor);
