@@ -61,6 +61,20 @@ cellDisplacement()
     expectText log.pimpleFoam "cellDisplacement is solved by smoothSolver with minIter 0" "minIter 20"
 }
 
+property sliding "a plane along which another mesh motion lets points slide by moved normals is warned of"
+sliding()
+{
+    makeCase fluid
+    entry system/controlDict endTime 0.01
+    sed -i "/^boundaryField/,/^{/ s|^{|{ upperWall { type slip; }|" 0/pointDisplacement
+    runFluid
+    expectNoText log.pimpleFoam "normals of the moved mesh"
+    rm -rf 0.* postProcessing
+    useLaplacian
+    runFluid
+    expectText log.pimpleFoam "on patch 'upperWall'" "normals of the moved mesh" "fixedNormalSlip"
+}
+
 property consistent "a viscous flow without SIMPLEC is warned of, with its diffusion number"
 consistent()
 {

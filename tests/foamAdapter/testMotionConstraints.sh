@@ -92,6 +92,24 @@ inclined()
     expectSameTable displacement 1e-7 ../aligned.moved moved
 }
 
+property stays "harmonicBasis: a plane along which points slide by several cells stays one"
+stays()
+{
+    makeMotion fluid "0.24 0.18 0"
+    entry system/controlDict deltaT 0.001
+    condition lowerWall 'type slip;'
+    # Inclined, so that the plane has some rounding
+    transformPoints -rotate '((1 0 0) (0.8 0.6 0))' > log.transformPoints 2>&1 || fail "transformPoints failed"
+    runFluid
+    movedPoints constant/polyMesh/points 0.03/polyMesh/points \
+        | awk '{ print -0.6*$1 + 0.8*$2, 0.8*$4 + 0.6*$5, -0.6*$4 + 0.8*$5 }' > moved
+    # Points are written to fourteen digits
+    awk '$1*$1 < 1e-16 {
+        if ($2 > 0.1) slides = 1
+        if ($3*$3 > 1e-26) { print "off by", $3; bad = 1 }
+    } END { exit bad || !slides }' moved || fail "the lower wall is no plane any more"
+}
+
 # expectFallback REASON: said before the first motion, and the run continues
 expectFallback()
 {

@@ -296,6 +296,7 @@ Foam::tmp<Foam::pointField> Foam::harmonicBasisMotionSolver::curPoints() const
         pointConstraints::New(pointDisplacement_.mesh())
             .constrainDisplacement(pointDisplacement_, false);
     }
+    constraints_.keepInPlanes(pointDisplacement_.primitiveFieldRef());
 
     tmp<pointField> points(points0() + pointDisplacement_.primitiveField());
     twoDCorrectPoints(points.ref());

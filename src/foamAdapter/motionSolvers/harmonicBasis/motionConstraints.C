@@ -418,22 +418,51 @@ Foam::motionConstraints::conditionsOfCoordinate(const direction axis) const
 }
 
 
+Foam::bitSet Foam::motionConstraints::pointsOf
+(
+    const labelUList& axes,
+    const direction axis
+) const
+{
+    const fvMesh& mesh = boundary_.mesh();
+    bitSet isFound(mesh.nPoints());
+    forAll(axes, patchi)
+    {
+        if (axes[patchi] == axis)
+        {
+            isFound.set(mesh.boundaryMesh()[patchi].meshPoints());
+        }
+    }
+    syncTools::syncPointList(mesh, isFound, orEqOp<unsigned int>(), 0u);
+    return isFound;
+}
+
+
 Foam::bitSet Foam::motionConstraints::coordinateIsGiven
 (
     const direction axis
 ) const
 {
-    const fvMesh& mesh = boundary_.mesh();
-    bitSet isGiven(mesh.nPoints());
-    forAll(planes_, patchi)
+    return pointsOf(planes_, axis) | pointsOf(periods_, axis);
+}
+
+
+void Foam::motionConstraints::keepInPlanes(vectorField& displacement) const
+{
+    for (direction axis = 0; axis < vector::nComponents; ++axis)
     {
-        if (planes_[patchi] == axis || periods_[patchi] == axis)
+        if (!obstacle_.empty() || !planes_.found(axis))
         {
-            isGiven.set(mesh.boundaryMesh()[patchi].meshPoints());
+            continue;
+        }
+        vector along(Zero);
+        along[axis] = 1;
+        const vector normal(along & frame_);
+        for (const label pointi : pointsOf(planes_, axis))
+        {
+            displacement[pointi] -= normal*(normal & displacement[pointi]);
         }
     }
-    syncTools::syncPointList(mesh, isGiven, orEqOp<unsigned int>(), 0u);
-    return isGiven;
 }
 
 

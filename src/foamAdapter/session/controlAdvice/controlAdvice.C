@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "controlAdvice.H"
 #include "StringStream.H"
+#include "pointFields.H"
+#include "slipPointPatchFields.H"
 #include "surfaceFields.H"
+#include "symmetryPointPatchFields.H"
 #include "turbulentFluidThermoModel.H"
 #include "turbulentTransportModel.H"
 #include "volFields.H"
@@ -149,6 +152,35 @@ void adviseMotion(const fvMesh& mesh)
 }
 
 
+//- Patches along which the points of other motion solvers than harmonicBasis
+//  slide by the normals of the moved mesh, where those of a plane would do
+void adviseSliding(const fvMesh& mesh)
+{
+    if (!mesh.foundObject<volVectorField>("cellDisplacement"))
+    {
+        return;
+    }
+    const pointVectorField& displacement =
+        mesh.lookupObject<pointVectorField>("pointDisplacement");
+    for (const pointPatchVectorField& condition : displacement.boundaryField())
+    {
+        const bool isSlip = isA<slipPointPatchVectorField>(condition);
+        if (isSlip || isA<symmetryPointPatchVectorField>(condition))
+        {
+            WarningInFunction
+                << "on patch '" << condition.patch().name() << "' "
+                << displacement.name() << " is of type " << condition.type()
+                << ", which takes the normals of the moved mesh: where points "
+                << "slide by more than a cell, rounding grows until cells turn "
+                << "over" << nl
+                << "    if the patch is a plane, write "
+                << (isSlip ? "fixedNormalSlip" : "symmetryPlane")
+                << ", or move the mesh by harmonicBasis" << endl;
+        }
+    }
+}
+
+
 //- Viscosity of the flow in the cells [m2/s]; empty if it has none
 tmp<scalarField> kinematicViscosity(const fvMesh& mesh)
 {
@@ -263,6 +295,7 @@ void Foam::controlAdvice::report
     adviseRelaxation(mesh, UName);
     advisePressure(mesh, pimple);
     adviseMotion(mesh);
+    adviseSliding(mesh);
     adviseConsistent(mesh, pimple);
     adviseFlux(mesh, pimple);
 }
