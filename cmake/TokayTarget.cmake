@@ -8,6 +8,10 @@ endif()
 if(TOKAY_SANITIZE)
     target_compile_options(tokayOptions INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
     target_link_options(tokayOptions INTERFACE -fsanitize=address,undefined)
+    if(TOKAY_FUZZ)
+        # What AddressSanitizer finds too, and takes a third of the compile time
+        target_compile_options(tokayOptions INTERFACE -fno-sanitize=null,alignment,vptr,object-size,pointer-overflow)
+    endif()
 endif()
 
 # Most of a compilation is reading the headers of others: files are compiled a
