@@ -109,7 +109,7 @@ void CoupledSession::start() {
     fluidRetries_ = fluid.retries;
     acceptedTime_ = fluid.startTime;
     boundary_.emplace(*body_, *case_.coupling, fluid);
-    const std::string unreached = boundary_->isEdge() ? "" : checkCoverage(fluid);
+    const std::string unreached = boundary_->isEdge() ? "" : checkCoverage();
     if (options_.replayFile.empty()) {
         participant_ =
             std::make_unique<FsiParticipant>(case_, *body_, *boundary_, fluid, timer_, report_);
@@ -133,8 +133,9 @@ void CoupledSession::start() {
 }
 
 /// @return  parts that the fluid does not reach, in words
-std::string CoupledSession::checkCoverage(const channel::Interface& fluid) const {
+std::string CoupledSession::checkCoverage() const {
     const WetSurface wet = body_->wetSurface(case_.coupling->interface);
+    const mapper::FaceMesh& fluid = boundary_->faces().mesh();
     requireFacesOnBody(wet, fluid);
     const std::vector<WetPart> parts = wetCoverage(wet, fluid);
     if (!case_.coupling->interface.empty() && case_.coupling->unreached == UnreachedParts::refuse) {

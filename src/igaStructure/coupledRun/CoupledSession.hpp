@@ -29,7 +29,7 @@ class CoupledSession {
 
   private:
     void start();
-    std::string checkCoverage(const channel::Interface& fluid) const;
+    std::string checkCoverage() const;
     std::optional<channel::BeginStep> nextStep();
     void advance(const channel::BeginStep& begin);
     void finishTimeStep(const StructureResponse& response);

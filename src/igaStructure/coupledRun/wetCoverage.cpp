@@ -17,6 +17,7 @@ namespace tokay::structure {
 using geometry::Box;
 using geometry::BoxTree;
 using geometry::Point;
+using mapper::FaceMesh;
 
 namespace {
 
@@ -87,14 +88,6 @@ SampledSurface sampled(const mapper::SurfaceInterface& wet) {
     return result;
 }
 
-Point pointOf(const channel::Interface& fluid, std::uint32_t index) {
-    Point point = Point::Zero();
-    for (std::uint32_t c = 0; c < fluid.dimension; ++c) {
-        point[c] = fluid.points[index * fluid.dimension + c];
-    }
-    return point;
-}
-
 /// How far from a chord its arc may be, over the radius of a face: four chords around a
 /// circle have 0.41.
 constexpr double sagitta = 0.6;
@@ -103,10 +96,10 @@ const mapper::Discretisation& discretisation(const WetSurface& wet) {
     return std::visit([](const auto& one) -> const mapper::Discretisation& { return one; }, wet);
 }
 
-std::vector<double> gapsOf(const mapper::Discretisation& wet, const channel::Interface& fluid) {
+std::vector<double> gapsOf(const mapper::Discretisation& wet, const geometry::Points& points) {
     std::vector<double> gaps;
-    for (std::uint32_t i = 0; i * fluid.dimension < fluid.points.size(); ++i) {
-        gaps.push_back(wet.locate(pointOf(fluid, i)).gap);
+    for (const auto& point : points.rowwise()) {
+        gaps.push_back(wet.locate(point).gap);
     }
     return gaps;
 }
@@ -121,17 +114,16 @@ struct FaceGap {
     double reach() const { return ofCorners + sagitta * radius; }
 };
 
-FaceGap faceGap(const channel::Interface& fluid, std::size_t face,
+FaceGap faceGap(const FaceMesh& fluid, const std::vector<int>& face,
                 const std::vector<double>& gaps) {
-    const auto begin = fluid.facePoints.begin() + fluid.faceOffsets[face];
-    const auto end = fluid.facePoints.begin() + fluid.faceOffsets[face + 1];
     FaceGap result;
-    for (auto corner = begin; corner != end; ++corner) {
-        result.centre += pointOf(fluid, *corner) / static_cast<double>(end - begin);
-        result.ofCorners = std::max(result.ofCorners, gaps[*corner]);
+    for (const int corner : face) {
+        result.centre += fluid.vertices.row(corner) / static_cast<double>(face.size());
+        result.ofCorners = std::max(result.ofCorners, gaps[corner]);
     }
-    for (auto corner = begin; corner != end; ++corner) {
-        result.radius = std::max(result.radius, (pointOf(fluid, *corner) - result.centre).norm());
+    for (const int corner : face) {
+        const Point toCorner = fluid.vertices.row(corner).transpose() - result.centre;
+        result.radius = std::max(result.radius, toCorner.norm());
     }
     return result;
 }
@@ -174,7 +166,7 @@ int partAt(const Point& centre, const SampledSurface& wet, const BoxTree& tree) 
     return wet.samples[nearest].part;
 }
 
-std::vector<Facet> facetsOf(const channel::Interface& fluid, const SampledSurface& wet,
+std::vector<Facet> facetsOf(const FaceMesh& fluid, const SampledSurface& wet,
                             const std::vector<double>& gaps) {
     std::vector<Box> boxes;
     for (const WetSample& sample : wet.samples) {
@@ -182,14 +174,13 @@ std::vector<Facet> facetsOf(const channel::Interface& fluid, const SampledSurfac
     }
     const BoxTree tree(boxes);
     std::vector<Facet> facets;
-    for (std::size_t face = 0; face + 1 < fluid.faceOffsets.size(); ++face) {
-        const std::uint32_t begin = fluid.faceOffsets[face];
-        const std::uint32_t nCorners = fluid.faceOffsets[face + 1] - begin;
+    for (const std::vector<int>& face : fluid.faces) {
+        const std::size_t nCorners = face.size();
         const FaceGap gap = faceGap(fluid, face, gaps);
         const int part = partAt(gap.centre, wet, tree);
-        for (std::uint32_t k = 0; k < nCorners; ++k) {
-            const Point corner = pointOf(fluid, fluid.facePoints[begin + k]);
-            const Point next = pointOf(fluid, fluid.facePoints[begin + (k + 1) % nCorners]);
+        for (std::size_t k = 0; k < nCorners; ++k) {
+            const Point corner = fluid.vertices.row(face[k]);
+            const Point next = fluid.vertices.row(face[(k + 1) % nCorners]);
             if (nCorners > 2) {
                 facets.push_back({{gap.centre, corner, next}, part, gap.reach()});
             } else if (k == 0 && nCorners == 2) {
@@ -244,9 +235,9 @@ bool isUnreached(const WetPart& part) {
 
 } // namespace
 
-std::vector<WetPart> wetCoverage(const WetSurface& wet, const channel::Interface& fluid) {
+std::vector<WetPart> wetCoverage(const WetSurface& wet, const FaceMesh& fluid) {
     SampledSurface surface = std::visit([](const auto& one) { return sampled(one); }, wet);
-    const FluidFaces faces(facetsOf(fluid, surface, gapsOf(discretisation(wet), fluid)));
+    const FluidFaces faces(facetsOf(fluid, surface, gapsOf(discretisation(wet), fluid.vertices)));
     for (const WetSample& sample : surface.samples) {
         if (faces.reach(sample)) {
             surface.parts[sample.part].reached += sample.size;
@@ -255,13 +246,12 @@ std::vector<WetPart> wetCoverage(const WetSurface& wet, const channel::Interface
     return surface.parts;
 }
 
-void requireFacesOnBody(const WetSurface& wet, const channel::Interface& fluid) {
+void requireFacesOnBody(const WetSurface& wet, const FaceMesh& fluid) {
     const mapper::Discretisation& surface = discretisation(wet);
-    const std::vector<double> gaps = gapsOf(surface, fluid);
-    const std::size_t nFaces = fluid.faceOffsets.size() - 1;
-    std::size_t nStray = 0;
+    const std::vector<double> gaps = gapsOf(surface, fluid.vertices);
+    int nStray = 0;
     std::string first;
-    for (std::size_t face = 0; face < nFaces; ++face) {
+    for (const std::vector<int>& face : fluid.faces) {
         const FaceGap gap = faceGap(fluid, face, gaps);
         const double ofCentre = surface.locate(gap.centre).gap;
         if (ofCentre > gap.reach() && ++nStray == 1) {
@@ -276,7 +266,7 @@ void requireFacesOnBody(const WetSurface& wet, const channel::Interface& fluid) 
             "{} of {} faces of the fluid lie on a part of the structure that is not wet: the face "
             "at {}; add that part to coupling.interface, or take the patch out of the entry "
             "'patches' of the function object",
-            nStray, nFaces, first));
+            nStray, fluid.nFaces(), first));
     }
 }
 

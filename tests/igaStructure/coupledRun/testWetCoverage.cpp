@@ -3,6 +3,7 @@
 #include "geometry/primitives/primitives.hpp"
 #include "geometry/spline/refinement.hpp"
 #include "igaStructure/ScriptedFluid.hpp"
+#include "igaStructure/coupledRun/InterfaceFaces.hpp"
 #include "igaStructure/coupledRun/wetCoverage.hpp"
 
 #include <gmock/gmock.h>
@@ -30,20 +31,15 @@ WetSurface flap(const std::vector<std::string>& names = {"left", "top", "right"}
     return mapper::SplineInterface(std::move(pieces), surface.nControlPoints());
 }
 
-/// The fluid's interface without the faces from begin to end.
-channel::Interface without(channel::Interface fluid, std::size_t begin, std::size_t end) {
-    channel::Interface left = fluid;
-    left.facePoints.clear();
-    left.faceOffsets.assign(1, 0);
-    for (std::size_t face = 0; face + 1 < fluid.faceOffsets.size(); ++face) {
-        if (face < begin || face >= end) {
-            left.facePoints.insert(left.facePoints.end(),
-                                   fluid.facePoints.begin() + fluid.faceOffsets[face],
-                                   fluid.facePoints.begin() + fluid.faceOffsets[face + 1]);
-            left.faceOffsets.push_back(static_cast<std::uint32_t>(left.facePoints.size()));
-        }
-    }
-    return left;
+/// The fluid's faces around the example's flap.
+mapper::FaceMesh flapFaces(int facesAlongHeight) {
+    return InterfaceFaces(flapInterface(facesAlongHeight)).mesh();
+}
+
+/// The fluid's faces without those from begin to end.
+mapper::FaceMesh without(mapper::FaceMesh fluid, int begin, int end) {
+    fluid.faces.erase(fluid.faces.begin() + begin, fluid.faces.begin() + end);
+    return fluid;
 }
 
 std::vector<double> fractions(const std::vector<WetPart>& parts) {
@@ -58,7 +54,7 @@ std::vector<double> fractions(const std::vector<WetPart>& parts) {
 
 TEST(WetCoverage, all_parts_are_reached_by_faces_around_them_whatever_their_size) {
     for (const int nFaces : {1, 3, 40}) {
-        const auto parts = wetCoverage(flap(), flapInterface(nFaces));
+        const auto parts = wetCoverage(flap(), flapFaces(nFaces));
         EXPECT_EQ(fractions(parts), std::vector<double>({1, 1, 1})) << nFaces;
         EXPECT_NO_THROW(requireReached(parts));
         EXPECT_NEAR(parts[1].size, 0.1, 1e-12);
@@ -66,7 +62,7 @@ TEST(WetCoverage, all_parts_are_reached_by_faces_around_them_whatever_their_size
 }
 
 TEST(WetCoverage, an_edge_without_faces_is_named_though_its_ends_belong_to_faces) {
-    const auto parts = wetCoverage(flap(), without(flapInterface(6), 6, 7));
+    const auto parts = wetCoverage(flap(), without(flapFaces(6), 6, 7));
     EXPECT_EQ(fractions(parts), std::vector<double>({1, 0, 1}));
     try {
         requireReached(parts);
@@ -79,20 +75,20 @@ TEST(WetCoverage, an_edge_without_faces_is_named_though_its_ends_belong_to_faces
 
 TEST(WetCoverage, the_part_of_an_edge_that_is_reached_is_its_fraction) {
     // The upper half of the left edge is missing
-    const auto parts = wetCoverage(flap(), without(flapInterface(8), 4, 8));
+    const auto parts = wetCoverage(flap(), without(flapFaces(8), 4, 8));
     EXPECT_EQ(fractions(parts), std::vector<double>({0.5, 1, 1}));
 }
 
 TEST(WetCoverage, faces_of_the_other_side_of_a_thin_body_do_not_reach_it) {
     // 0.1 m away from the left edge, faces of 1 m
-    const auto parts = wetCoverage(flap(), without(flapInterface(1), 0, 1));
+    const auto parts = wetCoverage(flap(), without(flapFaces(1), 0, 1));
     EXPECT_EQ(fractions(parts), std::vector<double>({0, 1, 1}));
 }
 
 TEST(WetCoverage, a_face_on_an_edge_that_is_not_wet_is_refused_though_its_corners_lie_on_others) {
-    EXPECT_NO_THROW(requireFacesOnBody(flap(), flapInterface(1)));
+    EXPECT_NO_THROW(requireFacesOnBody(flap(), flapFaces(1)));
     try {
-        requireFacesOnBody(flap({"left", "right"}), flapInterface(6));
+        requireFacesOnBody(flap({"left", "right"}), flapFaces(6));
         FAIL();
     } catch (const InputError& error) {
         EXPECT_THAT(error.what(), HasSubstr("1 of 13 faces of the fluid lie on a part of the "
@@ -109,19 +105,14 @@ TEST(WetCoverage, chords_of_a_cylinder_reach_it_and_half_of_them_reach_half) {
     const WetSurface wet = mapper::SurfaceInterface(
         {{geometry::TrimmedPatch(surface), indices, "wall"}}, surface.nControlPoints());
 
-    channel::Interface fluid;
     constexpr int n = 12;
+    mapper::FaceMesh fluid{geometry::Points(2 * n, 3), {}};
     for (int i = 0; i < n; ++i) {
-        for (const double z : {0., 2.}) {
-            const double angle = 2 * M_PI * i / n;
-            fluid.points.insert(fluid.points.end(), {std::cos(angle), std::sin(angle), z});
-        }
-    }
-    fluid.faceOffsets.push_back(0);
-    for (std::uint32_t i = 0; i < n; ++i) {
-        const std::uint32_t next = (i + 1) % n;
-        fluid.facePoints.insert(fluid.facePoints.end(), {2 * i, 2 * next, 2 * next + 1, 2 * i + 1});
-        fluid.faceOffsets.push_back(4 * (i + 1));
+        const double angle = 2 * M_PI * i / n;
+        const int next = (i + 1) % n;
+        fluid.vertices.row(2 * i) << std::cos(angle), std::sin(angle), 0;
+        fluid.vertices.row(2 * i + 1) << std::cos(angle), std::sin(angle), 2;
+        fluid.faces.push_back({2 * i, 2 * next, 2 * next + 1, 2 * i + 1});
     }
     EXPECT_NO_THROW(requireFacesOnBody(wet, fluid));
     EXPECT_NEAR(fractions(wetCoverage(wet, fluid))[0], 1, 1e-12);
