@@ -31,7 +31,7 @@ auto fieldsOf(M& m) {
         return std::tie(m.dimension, m.name, m.points, m.faceOffsets, m.facePoints, m.displacements,
                         m.tolerance, m.startTime, m.endTime, m.deltaT, m.retries, m.audit);
     } else if constexpr (std::is_same_v<Type, Accepted>) {
-        return std::tie(m.report);
+        return std::tie(m.report, m.limitsForce);
     } else if constexpr (std::is_same_v<Type, BeginStep>) {
         return std::tie(m.step, m.time, m.deltaT);
     } else if constexpr (std::is_same_v<Type, Forces>) {

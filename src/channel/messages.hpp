@@ -20,7 +20,7 @@ namespace tokay::channel {
 ///              depth [N/m]; 3: three components, forces in [N]
 
 /// Version of the messages below; both sides must agree.
-constexpr std::uint32_t protocolVersion = 3;
+constexpr std::uint32_t protocolVersion = 4;
 
 /// Sides of a connection. A structure whose edges another one moves has the part of the fluid.
 enum class Role : std::uint8_t { fluid, structure, movedStructure };
@@ -63,7 +63,8 @@ struct Interface {
 
 /// The structure can start: what it will model and how well the two sides fit.
 struct Accepted {
-    std::string report; ///< several lines of text
+    std::string report;       ///< several lines of text
+    bool limitsForce = false; ///< the residual includes the change of force between iterations
 };
 
 /// A new time step; answered by the predicted displacements.

@@ -30,7 +30,7 @@ inline Interface exampleInterface() {
 inline std::vector<Message> exampleMessages() {
     return {Hello{protocolVersion, Role::structure, "igaStructure 0.1", "a3f8", {9, 8, 7}},
             exampleInterface(),
-            Accepted{"coverage 100 %\nlargest gap 1e-9 m"},
+            Accepted{"coverage 100 %\nlargest gap 1e-9 m", true},
             BeginStep{12, 0.75, 1e-3},
             Forces{true,
                    true,

@@ -112,7 +112,7 @@ class Structure {
             return 1;
         }
         const std::string escape = behaves("escapes") ? "\x1b[2J\x07" : "";
-        channel_.send(Accepted{"fakeStructure, " + options_.behaviour + escape});
+        channel_.send(Accepted{"fakeStructure, " + options_.behaviour + escape, false});
         return converse();
     }
 

@@ -48,7 +48,7 @@ double ConvergenceCriteria::displacementResidual(const Eigen::VectorXd& x,
 }
 
 double ConvergenceCriteria::forceRatio(const Eigen::VectorXd& forces) {
-    if (options_.relativeForce == 0 && options_.absoluteForce == 0) {
+    if (!options_.limitsForce()) {
         return 0;
     }
     double result = 1 / tolerance_;

@@ -14,6 +14,9 @@ struct ConvergenceOptions {
     double relativeForce = 0;
     double absoluteForce = 0; ///< [N or N/m]
 
+    /// Whether the force has to converge too.
+    bool limitsForce() const { return relativeForce > 0 || absoluteForce > 0; }
+
     static const SchemaOf<ConvergenceOptions>& schema() {
         static const SchemaOf<ConvergenceOptions> schema = {
             {"absoluteDisplacement", &ConvergenceOptions::absoluteDisplacement, "[0, inf)", "m",

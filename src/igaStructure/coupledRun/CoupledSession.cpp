@@ -129,7 +129,8 @@ void CoupledSession::start() {
                             link_.peer());
     }
     report_(text);
-    link_.send(channel::Accepted{describeModel(case_, *body_) + text});
+    link_.send(channel::Accepted{describeModel(case_, *body_) + text,
+                                 case_.coupling->options.convergence.limitsForce()});
 }
 
 /// @return  parts that the fluid does not reach, in words

@@ -263,23 +263,26 @@ Foam::structureConnection::structureConnection
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-std::string Foam::structureConnection::start(const Interface& interface)
+tokay::channel::Accepted Foam::structureConnection::start
+(
+    const Interface& interface
+)
 {
     agreement_ = Agreement(interface);
-    std::string report;
+    Accepted accepted;
     onMaster
     (
         [&]
         {
             channel_->send(interface);
-            report = channel_->receive<Accepted>
+            accepted = channel_->receive<Accepted>
             (
                 "the structure to accept the interface"
-            ).report;
+            );
         }
     );
     starting_ = false;
-    return report;
+    return accepted;
 }
 
 

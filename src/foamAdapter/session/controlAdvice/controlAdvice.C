@@ -9,8 +9,6 @@
 #include "turbulentTransportModel.H"
 #include "volFields.H"
 
-#include <cstdlib>
-
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
@@ -271,16 +269,6 @@ void adviseFlux(const fvMesh& mesh, const pimpleControl& pimple)
         << "    write 'correctPhi no;'" << endl;
 }
 
-
-//- Whether an entry of the structure's report has a positive value
-bool isPositive(const string& report, const std::string& entryName)
-{
-    const auto found = report.find(entryName + ' ');
-    return
-        found != std::string::npos
-     && std::atof(report.c_str() + found + entryName.size()) > 0;
-}
-
 } // End anonymous namespace
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
@@ -301,21 +289,12 @@ void Foam::controlAdvice::report
 }
 
 
-bool Foam::controlAdvice::reportNoForce
+void Foam::controlAdvice::reportNoForce
 (
     const pimpleControl& pimple,
-    const word& UName,
-    const string& report
+    const word& UName
 )
 {
-    if
-    (
-        isPositive(report, "relativeForce")
-     || isPositive(report, "absoluteForce")
-    )
-    {
-        return false;
-    }
     const dictionary controls(pimple.dict());
     IOWarningInFunction(controls)
         << "residualControl has no entry for " << UName << ", and the "
@@ -326,7 +305,6 @@ bool Foam::controlAdvice::reportNoForce
         << "    add '" << UName << " { tolerance 1e-4; relTol 0; }' to "
         << "residualControl, or 'convergence: {relativeForce: 1e-3}' to the "
         << "entry 'coupling' of the case file" << endl;
-    return true;
 }
 
 

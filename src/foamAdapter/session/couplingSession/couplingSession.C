@@ -415,13 +415,17 @@ Foam::couplingSession::couplingSession
         pressureTolerance_.announce();
         controlAdvice::report(mesh, pimple_, UName());
     }
-    string report(structure_.start(message));
-    fromMaster(report);
-    Info<< report.c_str() << endl;
+    tokay::channel::Accepted accepted(structure_.start(message));
+    fromMaster(accepted.limitsForce);
+    Info<< accepted.report.c_str() << endl;
     isUnlimited_ =
         !residual_.isExplicit()
      && !criteria_.controlsMomentum()
-     && controlAdvice::reportNoForce(pimple_, UName(), report);
+     && !accepted.limitsForce;
+    if (isUnlimited_)
+    {
+        controlAdvice::reportNoForce(pimple_, UName());
+    }
 }
 
 
