@@ -35,6 +35,20 @@ Span spansBetween(const KnotVector& knots, double lower, double upper) {
             std::clamp(static_cast<int>(end - breakpoints.begin()), 0, last)};
 }
 
+/// False for the image of a triangle that stands upright on the patch: its area is rounding,
+/// and what the loops leave of it lies anywhere.
+/// @param box  of the parameters, which counts as square
+bool coversArea(const Polygon& polygon, const geometry::ParameterBox& box) {
+    constexpr double rounding = 1e-12; // of a square on the longest side
+    const Eigen::Array2d size = box.size();
+    double longest = 0;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Eigen::Array2d side = polygon[(i + 1) % polygon.size()] - polygon[i];
+        longest = std::max(longest, (side / size).matrix().squaredNorm());
+    }
+    return signedArea(polygon) > rounding * longest * size.prod();
+}
+
 class Intersection {
   public:
     Intersection(const SurfaceMesh& mesh, const SurfaceInterface& splines, double reach, int degree,
@@ -92,14 +106,12 @@ class Intersection {
         double covered = 0, whole = 0;
         for (const auto& part :
              partsAroundPole(splines_, piece, mesh_.triangle(triangle), corners)) {
-            const Polygon polygon = parameterPolygon(splines_.piece(piece).patch.basis(),
-                                                     splines_.isClosed(piece), part);
-            const double area = signedArea(polygon);
-            if (!(area > 0)) {
-                continue;
+            const TrimmedPatch& patch = splines_.piece(piece).patch;
+            const Polygon polygon = parameterPolygon(patch.basis(), splines_.isClosed(piece), part);
+            if (coversArea(polygon, patch.box())) {
+                whole += signedArea(polygon);
+                covered += overAllTurns(triangle, piece, polygon);
             }
-            whole += area;
-            covered += overAllTurns(triangle, piece, polygon);
         }
         return whole > 0 ? covered / whole : 0;
     }
