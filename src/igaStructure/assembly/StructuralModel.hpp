@@ -201,13 +201,18 @@ inline Eigen::VectorXd fixedPart(const std::vector<bool>& fixed, Eigen::VectorXd
 
 /// A vector of unknowns, or of their rates, whose free ones are given: dependent ones
 /// follow from these, fixed ones are zero; what is prescribed is added to both.
+/// @param prescribed  empty: nothing
 inline Eigen::VectorXd asSupported(const StructuralModel& model, Eigen::VectorXd vector,
                                    const Eigen::VectorXd& prescribed) {
     if (const SparseMatrix* extension = model.extension()) {
-        return *extension * vector + prescribed;
+        vector = *extension * vector;
+    } else {
+        setFixedToZero(model.fixed(), vector);
     }
-    setFixedToZero(model.fixed(), vector);
-    return vector + prescribed;
+    if (prescribed.size() > 0) {
+        vector += prescribed;
+    }
+    return vector;
 }
 
 /// A displacement whose free unknowns are given, as supports have it at a time [m].

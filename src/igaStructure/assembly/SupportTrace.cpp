@@ -51,9 +51,13 @@ void SupportTrace::forEachUnknown(const SupportPoint& point, int component, Visi
 
 VectorXd SupportTrace::at(double time) const {
     VectorXd all = VectorXd::Zero(static_cast<Eigen::Index>(numbers_.size()));
-    if (isEmpty()) {
-        return all;
+    if (!isEmpty()) {
+        all(unknowns_) = latest_.at(time, [&] { return fitted(time); });
     }
+    return all;
+}
+
+VectorXd SupportTrace::fitted(double time) const {
     VectorXd moments = VectorXd::Zero(static_cast<Eigen::Index>(unknowns_.size()));
     for (const SupportPoint& point : points_) {
         const Eigen::Vector3d motion = point.motion->value(point.position, time);
@@ -63,9 +67,7 @@ VectorXd SupportTrace::at(double time) const {
             });
         }
     }
-    const VectorXd values = matrix_->solve(moments);
-    all(unknowns_) = values;
-    return all;
+    return matrix_->solve(moments);
 }
 
 } // namespace tokay::structure

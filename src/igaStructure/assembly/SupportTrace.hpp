@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "common/LatestValue.hpp"
 #include "igaStructure/assembly/Field.hpp"
 #include "igaStructure/assembly/SparseMatrix.hpp"
 
@@ -40,11 +41,13 @@ class SupportTrace {
 
     bool isEmpty() const { return unknowns_.empty(); }
 
-    /// Values of all unknowns at a time, 0 where nothing moves [m].
+    /// Values of all unknowns at a time, 0 where nothing moves [m]. Not to be called by several
+    /// threads at once: keeps the latest ones.
     Eigen::VectorXd at(double time) const;
 
   private:
     /// Calls visit(number of the unknown, its function) for each that follows a component.
+    Eigen::VectorXd fitted(double time) const;
     template <class Visit>
     void forEachUnknown(const SupportPoint& point, int component, Visit visit) const;
 
@@ -53,6 +56,7 @@ class SupportTrace {
     std::vector<int> unknowns_; ///< that move
     std::vector<int> numbers_;  ///< of each unknown among these; -1: none
     std::shared_ptr<Eigen::SimplicialLDLT<SparseMatrix>> matrix_;
+    mutable LatestValue<Eigen::VectorXd> latest_; ///< of unknowns_
 };
 
 } // namespace tokay::structure

@@ -42,7 +42,7 @@ ExplicitIntegrator::ExplicitIntegrator(StructuralModel& model, double startTime)
     totalForce_ = external(startTime);
     shift_ = model.supportShift(startTime);
     state_.force = model.externalForce(startTime);
-    setAcceleration(state_.velocity, VectorXd::Zero(model.nUnknowns()));
+    setAcceleration(state_.velocity, {});
 }
 
 VectorXd ExplicitIntegrator::external(double time) const {
@@ -63,14 +63,22 @@ VectorXd ExplicitIntegrator::imbalance(const VectorXd& velocity) const {
 }
 
 // Also the reactions to it.
+// @param ofSupports  empty: they are at rest
 void ExplicitIntegrator::setAcceleration(const VectorXd& velocity, const VectorXd& ofSupports) {
     const VectorXd force = imbalance(velocity);
-    state_.acceleration = ofSupports + solver_->solve(force - mass_ * ofSupports);
+    if (ofSupports.size() == 0) {
+        state_.acceleration = solver_->solve(force);
+    } else {
+        state_.acceleration = ofSupports + solver_->solve(force - mass_ * ofSupports);
+    }
     state_.reaction = fixedPart(model_.fixed(), mass_ * state_.acceleration - force);
 }
 
 void ExplicitIntegrator::startSupports(double deltaT) {
     isAtStart_ = false;
+    if (!model_.hasPrescribedMotion()) {
+        return;
+    }
     const SupportRates rates = supportRates(model_, state_.time, deltaT);
     state_.velocity = rates.velocity;
     setAcceleration(state_.velocity, rates.acceleration);

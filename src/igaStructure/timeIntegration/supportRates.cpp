@@ -13,8 +13,7 @@ using Eigen::VectorXd;
 
 SupportRates supportRates(const StructuralModel& model, double time, double interval) {
     if (!model.hasPrescribedMotion()) {
-        const VectorXd none = VectorXd::Zero(model.nUnknowns());
-        return {none, none};
+        return {};
     }
     const double h = interval / 3;
     const VectorXd d0 = model.prescribed(time);

@@ -5,7 +5,7 @@
 
 namespace tokay::structure {
 
-/// Rates of the prescribed motion of supports.
+/// Rates of the prescribed motion of supports; empty if they are at rest.
 struct SupportRates {
     Eigen::VectorXd velocity;     ///< [m/s]
     Eigen::VectorXd acceleration; ///< [m/s^2]

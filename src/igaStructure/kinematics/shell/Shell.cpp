@@ -297,12 +297,14 @@ void Shell::addCouplings(const VectorXd& displacement, SparseMatrix* tangent, Ve
 }
 
 // Of each coupling, those that no support moves included.
-std::vector<EdgeCoupling::Shift> Shell::couplingShifts(double time) const {
-    std::vector<EdgeCoupling::Shift> shifts(constraints_.couplings.size());
-    for (const ShellConstraints::Moved& moved : constraints_.moved) {
-        shifts[moved.coupling] = constraints_.couplings[moved.coupling]->shift(*moved.motion, time);
-    }
-    return shifts;
+const std::vector<EdgeCoupling::Shift>& Shell::couplingShifts(double time) const {
+    return latestShifts_.at(time, [&] {
+        std::vector<EdgeCoupling::Shift> shifts(constraints_.couplings.size());
+        for (const auto& [coupling, motion] : constraints_.moved) {
+            shifts[coupling] = constraints_.couplings[coupling]->shift(*motion, time);
+        }
+        return shifts;
+    });
 }
 
 StructuralModel::SupportShift Shell::supportShift(double time) const {
@@ -311,7 +313,7 @@ StructuralModel::SupportShift Shell::supportShift(double time) const {
         return sum;
     }
     sum.force = VectorXd::Zero(nUnknowns());
-    const std::vector<EdgeCoupling::Shift> shifts = couplingShifts(time);
+    const std::vector<EdgeCoupling::Shift>& shifts = couplingShifts(time);
     for (const ShellConstraints::Moved& moved : constraints_.moved) {
         const EdgeCoupling::Shift& own = shifts[moved.coupling];
         const std::vector<int>& nodes = constraints_.couplings[moved.coupling]->nodes();
@@ -343,7 +345,7 @@ std::vector<SupportLoad> Shell::supportLoads(const VectorXd& displacement, const
     const geometry::Points positions =
         isLinear() ? nodes_.positions : moved(nodes_.positions, 3, displacement);
     addForces(constraints_.owners, positions, 3, reaction, loads);
-    const std::vector<EdgeCoupling::Shift> shifts = couplingShifts(time);
+    const std::vector<EdgeCoupling::Shift>& shifts = couplingShifts(time);
     for (std::size_t k = 0; k < shifts.size(); ++k) {
         if (constraints_.couplingOwners[k] < 0) {
             continue;

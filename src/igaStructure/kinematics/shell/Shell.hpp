@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "common/LatestValue.hpp"
 #include "igaStructure/assembly/NodePattern.hpp"
 #include "igaStructure/assembly/StructuralModel.hpp"
 #include "igaStructure/kinematics/shell/edges/ShellConstraints.hpp"
@@ -98,7 +99,7 @@ class Shell : public StructuralModel {
     ShellState stateAt(int face, double xi, double eta, const Eigen::VectorXd& displacement) const;
 
   private:
-    std::vector<EdgeCoupling::Shift> couplingShifts(double time) const;
+    const std::vector<EdgeCoupling::Shift>& couplingShifts(double time) const;
     std::vector<int> nodesOf(const ShellPart& part) const;
     struct Workspace;
     struct Totals;
@@ -124,6 +125,7 @@ class Shell : public StructuralModel {
     ShellPatches patches_;
     std::unique_ptr<ElementRows> sweep_;
     ShellConstraints constraints_;
+    mutable LatestValue<std::vector<EdgeCoupling::Shift>> latestShifts_; ///< of couplings
     std::unique_ptr<DirichletExtension> extension_;
     Eigen::VectorXd lastIterate_; ///< that prescribed motion follows in the iterated form
     int nIterates_ = 0;

@@ -273,6 +273,29 @@ TEST(DirichletExtension, too_few_uncut_elements_are_an_error) {
                 ThrowsMessage<InputError>(HasSubstr("refine discretisation.elements")));
 }
 
+TEST(DirichletExtension, formulas_are_evaluated_once_for_all_solutions_of_a_step) {
+    for (const EdgeMethod method : {EdgeMethod::egm, EdgeMethod::nitsche}) {
+        int nEvaluations = 0;
+        ShellDescription membrane = PoissonSquare().membrane(2, 10);
+        membrane.edgeMethod = method;
+        for (EdgeSupport& support : membrane.edgeSupports) {
+            support.motion = std::make_shared<VectorField>(
+                VectorField{[&](const geometry::Point&, double t) -> Vector3d {
+                                ++nEvaluations;
+                                return {0, 0, t};
+                            },
+                            true, false});
+        }
+        Shell shell(membrane);
+        TimeIntegrator integrator(shell, TimeScheme::quasiStatic(), {}, 0);
+        integrator.beginTimeStep(1, 1);
+        const VectorXd first = integrator.solve();
+        const int nOfOne = nEvaluations;
+        EXPECT_EQ(integrator.solve(), first);
+        EXPECT_EQ(nEvaluations, nOfOne);
+    }
+}
+
 TEST(DirichletExtension, data_on_the_curve_enter_linearly) {
     Shell shell(PoissonSquare().membrane(2, 10));
     const DirichletExtension& extension = *shell.dirichletExtension();

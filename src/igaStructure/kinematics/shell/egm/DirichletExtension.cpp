@@ -431,11 +431,17 @@ void DirichletExtension::own(const TracePoint& point, SupportOwners& owners) con
 }
 
 VectorXd DirichletExtension::values(double time, const VectorXd& known) const {
-    VectorXd right = loadData_ * loadData(time) - coupling_ * known;
+    const VectorXd& data = latestData_.at(time, [&] { return dataAt(time); });
+    return spread(solver_->solve(data - coupling_ * known));
+}
+
+// What loads and motions add to the equations of u_D.
+VectorXd DirichletExtension::dataAt(double time) const {
+    VectorXd data = loadData_ * loadData(time);
     if (hasMotion_) {
-        right += traceData_ * motionData(time);
+        data += traceData_ * motionData(time);
     }
-    return spread(solver_->solve(right));
+    return data;
 }
 
 VectorXd DirichletExtension::ofTrace(const Eigen::Matrix3Xd& displacements) const {

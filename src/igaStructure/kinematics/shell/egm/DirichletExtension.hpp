@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "common/LatestValue.hpp"
 #include "igaStructure/assembly/SparseMatrix.hpp"
 #include "igaStructure/kinematics/shell/edges/ShellConstraints.hpp"
 #include "igaStructure/kinematics/shell/egm/ExtendedElements.hpp"
@@ -80,6 +81,7 @@ class DirichletExtension {
     void addCombinations(const std::vector<int>& columns,
                          std::vector<Eigen::Triplet<double>>& entries) const;
     Eigen::VectorXd spread(const Eigen::VectorXd& dependents) const;
+    Eigen::VectorXd dataAt(double time) const;
     Eigen::VectorXd loadData(double time) const;
     Eigen::VectorXd motionData(double time) const;
     double gamma(int face) const;
@@ -89,8 +91,9 @@ class DirichletExtension {
     const ShellPatches& patches_;
     ExtendedElements elements_;
     bool hasMotion_;
-    std::vector<Load> loads_;                      ///< where the strong form is asked for
-    SparseMatrix coupling_, traceData_, loadData_; ///< rows of dependents
+    std::vector<Load> loads_;                         ///< where the strong form is asked for
+    SparseMatrix coupling_, traceData_, loadData_;    ///< rows of dependents
+    mutable LatestValue<Eigen::VectorXd> latestData_; ///< the same rows
     std::unique_ptr<LinearSolver> solver_;
     SparseMatrix matrix_;
 };
