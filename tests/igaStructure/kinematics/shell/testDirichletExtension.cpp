@@ -16,6 +16,7 @@ using Eigen::VectorXd;
 using geometry::LoopKind;
 using geometry::TrimmedPatch;
 using geometry::TrimmingLoop;
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
@@ -266,6 +267,21 @@ TEST(DirichletExtension, a_loop_within_an_element_is_an_error) {
     square.radius = 0.02;
     EXPECT_THAT([&] { Shell(square.membrane(2, 10)); },
                 ThrowsMessage<InputError>(HasSubstr("needs a loop larger than an element")));
+}
+
+TEST(DirichletExtension, a_curve_that_no_element_reaches_is_an_error) {
+    // A second part of the patch, whose area is the rounding error of an element's.
+    const TrimmedPatch whole(geometry::rectangle({0, 0, 0}, 1, 1));
+    const geometry::ParameterBox left{{0, 0}, {0.45, 1}},
+        speck{{0.81, 0.81}, {0.8100001, 0.8100001}};
+    const TrimmedPatch patch(whole.surface(),
+                             {TrimmingLoop::around(left), TrimmingLoop::around(speck)}, "plate");
+    ShellDescription membrane = PoissonSquare().membrane(2, 10);
+    membrane.model = geometry::BrepModel({{patch.refined(2, 2, 10, 10)}});
+    EXPECT_THAT([&] { Shell{membrane}; },
+                ThrowsMessage<InputError>(AllOf(HasSubstr("curve 4 of patch \"plate\""),
+                                                HasSubstr("no element of its patch reaches it"),
+                                                HasSubstr("remove the support"))));
 }
 
 TEST(DirichletExtension, too_few_uncut_elements_are_an_error) {
