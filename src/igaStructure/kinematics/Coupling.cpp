@@ -10,13 +10,11 @@ namespace tokay::structure {
 
 namespace {
 
-const Choices<std::string>& partChoices(WetParts parts) {
-    static const Choices<std::string> edges = {
-        {"left", "left"}, {"right", "right"}, {"bottom", "bottom"}, {"top", "top"}};
+const Choices<std::string>& faceNames() {
     static const Choices<std::string> faces = {{"left", "left"},     {"right", "right"},
                                                {"bottom", "bottom"}, {"top", "top"},
                                                {"back", "back"},     {"front", "front"}};
-    return parts == WetParts::edges ? edges : faces;
+    return faces;
 }
 
 // Those for every body; a thin one has offset besides.
@@ -106,11 +104,16 @@ SchemaOf<Coupling> couplingSchema(WetParts parts) {
     static const Choices<UnreachedParts> unreached = {
         {"refuse", UnreachedParts::refuse, "the run does not start."},
         {"accept", UnreachedParts::accept, "they are named in the log."}};
-    const SchemaOf<Coupling> interface = {
-        {"interface", &Coupling::interface, partChoices(parts),
-         std::string("Wet ") + (parts == WetParts::edges ? "edges" : "faces") +
-             "; a point at which two of them meet belongs to the one named first.",
-         required},
+    const SchemaOf<Coupling> wetEdges = {
+        {"interface", &Coupling::interface,
+         "Wet edges (left, right, bottom, top); a point at which two of them meet belongs to the "
+         "one named first. cadJson: edges, by name, that meet another structure (igaStructure "
+         "couple).",
+         required}};
+    const SchemaOf<Coupling> wetFaces = {
+        {"interface", &Coupling::interface, faceNames(),
+         "Wet faces; a point at which two of them meet belongs to the one named first.", required}};
+    const SchemaOf<Coupling> unreachedParts = {
         {"unreached", &Coupling::unreached, unreached,
          "Wet parts before which no face of the fluid lies, so that no force acts there."}};
     const SchemaOf<Coupling> edges = {
@@ -122,7 +125,11 @@ SchemaOf<Coupling> couplingSchema(WetParts parts) {
         {"mapping", mappingSchema(parts), "Transfer between fluid and structure."}};
     const bool hasEdges = parts == WetParts::edges || parts == WetParts::surface;
     return SchemaOf<Coupling>()
-        .with(!isThin(parts) ? interface : hasEdges ? edges : SchemaOf<Coupling>())
+        .with(parts == WetParts::edges     ? wetEdges
+              : parts == WetParts::faces   ? wetFaces
+              : parts == WetParts::surface ? edges
+                                           : SchemaOf<Coupling>())
+        .with(isThin(parts) ? SchemaOf<Coupling>() : unreachedParts)
         .with(others)
         .with(hasEdges ? pairSchema() : SchemaOf<Coupling>())
         .with(&Coupling::options, coupling::couplingSchema());

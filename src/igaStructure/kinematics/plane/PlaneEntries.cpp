@@ -63,6 +63,9 @@ PlaneMaterial makeMaterial(const PlaneEntries<Model>& entries, Kinematics kinema
 template <class Model>
 PlaneSolidCase makePatch(const PlaneEntries<Model>& entries, Kinematics kinematics) {
     requireOnePatch(entries);
+    for (const std::string& name : entries.coupling.interface) {
+        entries.coupling.at("interface", [&] { return geometry::edgeFromName(name); });
+    }
     std::vector<Support> supports;
     for (const PlaneSupport& support : entries.supports) {
         const std::array<bool, 2> fixed = fixedComponents<2>(support.fix);
@@ -143,11 +146,6 @@ MembraneEntries inSpace(const PlaneEntries<Model>& entries, const PlaneMaterial&
 template <class Model>
 PlanePatchesCase makePatches(const PlaneEntries<Model>& entries, Kinematics kinematics,
                              const CaseContext& context) {
-    if (context.isCoupled) {
-        throw entries.error("coupling", "a plane solid of a cad.json model cannot be coupled: its "
-                                        "edges are no interface yet; take a single patch "
-                                        "(geometry.nurbs), or a shell or solid");
-    }
     const PlaneMaterial material = makeMaterial(entries, kinematics);
     PlanePatchesCase patches{makeMembrane(inSpace(entries, material), context), material};
     patches.membrane.isPlane = true;

@@ -62,8 +62,9 @@ std::vector<std::string> PlanePatchesBody::advice() const {
 }
 
 WetSurface PlanePatchesBody::wetSurface(const std::vector<std::string>& /*names*/) const {
-    throw InputError("coupling: edges of trimmed patches in the plane are no interface; take a "
-                     "single patch (geometry.rectangle or nurbs), or remove the entry");
+    throw InputError("coupling: a fluid cannot be coupled to edges of a cad.json model in the "
+                     "plane, only another structure (igaStructure couple); take a single patch "
+                     "(geometry.rectangle or nurbs), or a shell or solid");
 }
 
 } // namespace tokay::structure

@@ -31,9 +31,13 @@ class PlanePatchesBody : public Body {
     double massPerWetArea() const override;
     double thickness() const override { return massPerWetArea() / material_.density; }
     std::vector<std::string> advice() const override;
+    std::unique_ptr<const mapper::CurveInterface>
+    edges(const std::vector<std::string>& names) const override {
+        return membrane_.edges(names);
+    }
 
   private:
-    /// @throws InputError  edges of trimmed patches are no interface
+    /// @throws InputError  edges of trimmed patches are no interface of a fluid
     WetSurface wetSurface(const std::vector<std::string>& names) const override;
     double depth() const override { return material_.thickness; }
     /// Cauchy's, in the order xx yy zz xy yz xz.

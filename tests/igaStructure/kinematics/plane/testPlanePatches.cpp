@@ -268,11 +268,10 @@ TEST(PlanePatches, mistakes_are_named) {
                 testing::HasSubstr("nowhere"));
     EXPECT_THAT(messageOf([&] { file.readCase("  - {edge: left, fix: [x, y]}\n", model); }),
                 testing::HasSubstr("brepEdge"));
-    EXPECT_THAT(messageOf([&] {
-                    file.readCase("  - {brepEdge: inner, fix: [x, y]}\n", model,
-                                  "coupling: {interface: [top]}\n");
-                }),
-                testing::HasSubstr("cannot be coupled"));
+    const Case coupled = file.readCase("  - {brepEdge: inner, fix: [x, y]}\n", model,
+                                       "coupling: {interface: [outer]}\n");
+    EXPECT_THAT(messageOf([&] { makeBody(coupled)->transfer(*coupled.coupling, {}); }),
+                testing::HasSubstr("a fluid cannot be coupled to edges of a cad.json model"));
     EXPECT_THAT(messageOf([&] {
                     readCaseText("geometry:\n  rectangle: {origin: [0, 0], size: [1, 1]}\n"
                                  "discretisation: {degree: [2, 2], elements: [2, 2]}\n"
