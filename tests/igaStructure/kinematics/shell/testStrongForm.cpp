@@ -92,6 +92,33 @@ TEST(StrongForm, works_on_interior_motions_as_the_stiffness_of_a_prestressed_mem
     expectWorkOfResidual(membrane);
 }
 
+TEST(StrongForm, fourth_derivatives_of_degree_3_are_in_the_knots) {
+    // Control values f - h^2 f''/6 at Greville points make cubics exact, so of x^4 between
+    // uniform knots, as the shift by a knot changes it by a cubic, the third derivative jumps
+    // by 24 h at each.
+    constexpr int n = 12;
+    ShellDescription plate =
+        onePatch(geometry::rectangle({0, 0, 0}, 3, 3), 3, n, n, 0.1, {1e3, 0.3, 1});
+    plate.strains = Strains::linear;
+    const Shell shell(plate);
+    const double h = 3.0 / n, third = h * h / 6;
+    const VectorXd w = motion(shell, [&](const Vector3d& x) -> Vector3d {
+        const double x2 = x[0] * x[0], y2 = x[1] * x[1];
+        const double xx = x2 - 2 * third, yy = y2 - 2 * third; // of x^2 and y^2
+        const double x4 = x2 * x2 - 12 * third * x2, y4 = y2 * y2 - 12 * third * y2;
+        return x + Vector3d(0, 0, x4 + xx * yy + 2 * y4);
+    });
+    const double D = 1e3 / (1 - 0.09) * 1e-3 / 12;
+    for (const geometry::Parameters& at :
+         {geometry::Parameters(0.46, 0.47), geometry::Parameters(0.52, 0.58)}) {
+        const ShellPatch& patch = *shell.patches()[0];
+        const StrongForm form(plate, 0, patch, patch.patch().elementAt(at), at);
+        const Vector3d residual = form.L * gathered(form.nodes, w);
+        // 24 + 2 (2 2) + 2 24, less what rounding leaves of fourth differences.
+        EXPECT_NEAR(residual[2], -D * 80, 1e-9 * D * 80);
+    }
+}
+
 TEST(StrongForm, no_stress_comes_of_rigid_motion) {
     const ShellDescription description = oneElement(true);
     const Shell shell(description);

@@ -6,7 +6,9 @@
 #include "igaStructure/kinematics/shell/edges/EdgeTraction.hpp"
 #include "igaStructure/kinematics/shell/edges/NodeUnion.hpp"
 #include "igaStructure/kinematics/shell/egm/ExtensionFunctional.hpp"
+#include "igaStructure/kinematics/shell/egm/FaceJump.hpp"
 #include "igaStructure/kinematics/shell/egm/GradientTerm.hpp"
+#include "igaStructure/kinematics/shell/egm/JumpChangeTerm.hpp"
 #include "igaStructure/kinematics/shell/egm/StrongForm.hpp"
 
 #include <Eigen/Geometry>
@@ -40,6 +42,11 @@ bool any(const std::array<bool, 3>& components) {
 
 std::array<bool, 3> either(const std::array<bool, 3>& a, const std::array<bool, 3>& b) {
     return {a[0] || b[0], a[1] || b[1], a[2] || b[2]};
+}
+
+// The strong form of bending takes fourth derivatives, which splines of degree 2 have none of.
+bool hasStrongBending(const geometry::NurbsSurface& surface) {
+    return std::min(surface.u().degree(), surface.v().degree()) >= 3;
 }
 
 PatchLocation seenFrom(const ShellPatch& patch, int element, const EdgePoint& point) {
@@ -141,14 +148,19 @@ void DirichletExtension::addJumps(ExtensionFunctional& functional) const {
     }
 }
 
-// Faces across an axis: of element pairs next to each other along it.
+// Faces across an axis: of element pairs next to each other along it. With the strong form of
+// bending jumps that hold fourth derivatives shall not vanish, only not change.
 void DirichletExtension::addJumpsAlong(int face, int axis, ExtensionFunctional& functional) const {
     const geometry::TrimmedPatch& patch = patches_[face]->patch();
-    const int nU = patch.nElementsU();
+    const bool keepsJumps = description_.bending && residual() != EgmResidual::none &&
+                            hasFourthDerivativeInKnots(patches_[face]->surface(), axis);
+    if (keepsJumps) {
+        JumpChangeTerm(*patches_[face], face, axis, elements_, gamma(face)).add(functional);
+    }
     for (int element = 0; element < patch.nElements(); ++element) {
-        const bool isFirst = axis == 0 ? element % nU == 0 : element < nU;
-        const int before = element - (axis == 0 ? 1 : nU);
-        if (isFirst || !elements_.hasBody(face, element) || !elements_.hasBody(face, before)) {
+        const int before = neighboursAlong(patch, element, axis)[0];
+        if (before < 0 || !elements_.hasBody(face, element) ||
+            (keepsJumps && FaceJump(*patches_[face], axis, {before, element}).isSmooth())) {
             continue;
         }
         addJump(face, axis, {before, element}, functional);
@@ -242,12 +254,6 @@ std::vector<geometry::ParameterPoint> pointsOf(const ShellPatch& patch, int elem
     return points;
 }
 
-// Whether splines have the fourth derivatives that the strong form of bending takes: of
-// degree 3 an element has only the mixed ones, and what lacks is in jumps.
-bool hasStrongBending(const geometry::NurbsSurface& surface) {
-    return std::min(surface.u().degree(), surface.v().degree()) >= 4;
-}
-
 // Scales a residual to a displacement: along the surface and across it.
 Matrix3d flexibility(const StrongForm& form, double h, bool across) {
     const Matrix3d normal = form.normal * form.normal.transpose();
@@ -262,10 +268,12 @@ void DirichletExtension::addResidual(int face, int element, ExtensionFunctional&
     const ShellPatch& patch = *patches_[face];
     const double h = sizeOf(patch, element);
     const auto points = pointsOf(patch, element, residual() == EgmResidual::whole);
-    const std::vector<int>& nodes = elements_.nodes(face, element);
-    MatrixXd all(3 * points.size(), 3 * nodes.size());
+    std::vector<int> nodes; // the same at all points
+    MatrixXd all;
     for (std::size_t k = 0; k < points.size(); ++k) {
         const StrongForm form(description_, face, patch, element, {points[k].xi, points[k].eta});
+        nodes = form.nodes;
+        all.conservativeResize(static_cast<Index>(3 * points.size()), form.L.cols());
         const double weight = std::sqrt(description_.egm.delta / h * points[k].weight * form.area);
         const Matrix3d scale =
             weight *

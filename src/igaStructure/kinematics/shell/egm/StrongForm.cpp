@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/kinematics/shell/egm/StrongForm.hpp"
 
+#include "igaStructure/kinematics/shell/egm/FaceJump.hpp"
 #include "igaStructure/kinematics/shell/egm/TaylorPolynomial.hpp"
 
 #include <Eigen/LU>
@@ -8,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace tokay::structure {
@@ -233,6 +235,51 @@ geometry::SurfaceBasis basisOf(const ShellPatch& patch, int element,
                                at[1], TaylorPolynomial::degree);
 }
 
+// What knots add to the fourth derivative along an axis, if it has degree 3.
+Eigen::RowVectorXd knotPart(const ShellPatch& patch, int element, const geometry::Parameters& at,
+                            int axis, NodeUnion& nodes) {
+    Eigen::RowVectorXd part = Eigen::RowVectorXd::Zero(nodes.size());
+    if (!hasFourthDerivativeInKnots(patch.surface(), axis)) {
+        return part;
+    }
+    const auto [before, after] = neighboursAlong(patch.patch(), element, axis);
+    std::optional<FaceJump> lower, upper;
+    if (before >= 0) {
+        lower.emplace(patch, axis, std::array<int, 2>{before, element});
+    }
+    if (after >= 0) {
+        upper.emplace(patch, axis, std::array<int, 2>{element, after});
+    }
+    const bool hasLower = lower && lower->isSmooth(), hasUpper = upper && upper->isSmooth();
+    const geometry::ParameterBox box = patch.patch().elementBox(element);
+    const double place = (at[axis] - box.lower[axis]) / box.size()[axis];
+    if (hasLower) {
+        lower->add(at, 3, (hasUpper ? 1 - place : 1) / lower->size(), nodes, part);
+    }
+    if (hasUpper) {
+        upper->add(at, 3, (hasLower ? place : 1) / upper->size(), nodes, part);
+    }
+    return part;
+}
+
+// Rows of derivatives of the nodes' functions: with what is in knots, for bending.
+Eigen::MatrixXd spreadDerivatives(const ShellPatch& patch, int element,
+                                  const geometry::Parameters& at, const Eigen::MatrixXd& N,
+                                  std::vector<int>& nodes) {
+    NodeUnion all;
+    const std::vector<Eigen::Index> places = all.add(nodes);
+    const Eigen::RowVectorXd alongXi = knotPart(patch, element, at, 0, all);
+    const Eigen::RowVectorXd alongEta = knotPart(patch, element, at, 1, all);
+    Eigen::MatrixXd spread = Eigen::MatrixXd::Zero(N.rows(), all.size());
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        spread.col(places[k]) += N.col(static_cast<Eigen::Index>(k));
+    }
+    spread.row(geometry::derivativeRow(4, 0)).head(alongXi.size()) += alongXi;
+    spread.row(geometry::derivativeRow(0, 4)) += alongEta;
+    nodes = all.nodes();
+    return spread;
+}
+
 double squaredCurvature(const geometry::Points& X, const Vector3d& normal) {
     Eigen::Matrix2d metric, b;
     for (int a = 0; a < 2; ++a) {
@@ -279,9 +326,11 @@ StrongForm::StrongForm(const ShellDescription& description, int face, const Shel
     if (bending_ > 0) {
         addBending(surface, bending_, material.poissonsRatio, operators);
     }
-    L.resize(3, 3 * basis.N.cols());
+    const Eigen::MatrixXd N =
+        description.bending ? spreadDerivatives(patch, element, at, basis.N, nodes) : basis.N;
+    L.resize(3, 3 * N.cols());
     for (int i = 0; i < 3; ++i) {
-        L.row(i) = operators[i].row(basis.N) / area;
+        L.row(i) = operators[i].row(N) / area;
     }
 }
 

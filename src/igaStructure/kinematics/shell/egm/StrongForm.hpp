@@ -14,9 +14,14 @@ namespace tokay::structure {
 /// strong form: L u + f = 0 with
 ///   L u = (n^ab A_b + S^ab u,b)|a + (m^ab A3)|ab,
 /// n and m by the linear strains, S the prestress. Any parameters, any curvature.
+///
+/// Bending takes fourth derivatives. Those along an axis in which the patch has degree 3 are
+/// all in the knots, where the third one jumps: a jump over the size of an element is the mean
+/// of the fourth derivative around the knot, and between two knots it is taken to be linear.
 struct StrongForm {
     /// @param face     material, thickness and prestress are its
-    /// @param element  whose functions are taken, in its part that is trimmed away too
+    /// @param element  whose functions are taken, in its part that is trimmed away too; beside
+    ///                 them those of its neighbours, where there are jumps
     StrongForm(const ShellDescription& description, int face, const ShellPatch& patch, int element,
                const geometry::Parameters& at);
 
