@@ -18,28 +18,14 @@ namespace tokay::structure {
 struct PoissonSquare {
     double radius = 0.25;
     Eigen::Vector2d centre = {0.5, 0.5};
-    /// w = sin(pi x) cos(pi y), or (|x - centre|^2 - radius^2) sin(pi x) sin(pi y).
-    bool isZeroOnBoundary = false;
 
-    double solution(double x, double y) const {
-        return isZeroOnBoundary ? level(x, y) * wave(x, y)
-                                : std::sin(M_PI * x) * std::cos(M_PI * y);
-    }
-    Eigen::Vector2d gradient(double x, double y) const {
-        if (isZeroOnBoundary) {
-            return 2 * fromCentre(x, y) * wave(x, y) + level(x, y) * waveGradient(x, y);
-        }
+    /// w = sin(pi x) cos(pi y)
+    static double solution(double x, double y) { return std::sin(M_PI * x) * std::cos(M_PI * y); }
+    static Eigen::Vector2d gradient(double x, double y) {
         return M_PI * Eigen::Vector2d(std::cos(M_PI * x) * std::cos(M_PI * y),
                                       -std::sin(M_PI * x) * std::sin(M_PI * y));
     }
-    double load(double x, double y) const {
-        const double squared = 2 * M_PI * M_PI;
-        if (isZeroOnBoundary) {
-            return (squared * level(x, y) - 4) * wave(x, y) -
-                   4 * fromCentre(x, y).dot(waveGradient(x, y));
-        }
-        return squared * solution(x, y);
-    }
+    static double load(double x, double y) { return 2 * M_PI * M_PI * solution(x, y); }
 
     geometry::TrimmedPatch patch(int degree, int n) const {
         const geometry::NurbsCurve circle =
@@ -66,30 +52,20 @@ struct PoissonSquare {
         for (int curve = 0; curve < 5; ++curve) {
             membrane.edgeSupports.push_back({{{0, curve}}, {true, true, true}});
         }
-        membrane.loads.tractions = {
-            {0,
-             {[square = *this](const geometry::Point& x, double) -> Eigen::Vector3d {
-                  return {0, 0, square.load(x[0], x[1])};
-              },
-              false}}};
+        membrane.loads.tractions = {{0,
+                                     {[](const geometry::Point& x, double) -> Eigen::Vector3d {
+                                          return {0, 0, load(x[0], x[1])};
+                                      },
+                                      false}}};
         return membrane;
-    }
-
-  private:
-    Eigen::Vector2d fromCentre(double x, double y) const { return Eigen::Vector2d(x, y) - centre; }
-    double level(double x, double y) const {
-        return fromCentre(x, y).squaredNorm() - radius * radius;
-    }
-    static double wave(double x, double y) { return std::sin(M_PI * x) * std::sin(M_PI * y); }
-    static Eigen::Vector2d waveGradient(double x, double y) {
-        return M_PI * Eigen::Vector2d(std::cos(M_PI * x) * std::sin(M_PI * y),
-                                      std::sin(M_PI * x) * std::cos(M_PI * y));
     }
 };
 
-/// Values on the square's edges that interpolate the solution at Greville points.
-inline Eigen::VectorXd rimValues(const PoissonSquare& square, const Shell& shell) {
-    const geometry::KnotVector& knots = shell.patches()[0]->surface().u();
+/// Control values of the functions that are not zero on the square's edges, which interpolate
+/// the solution at Greville points.
+/// @param knots  along both edges
+/// @return       a row a function along x, a column a function along y
+inline Eigen::MatrixXd rimValues(const geometry::KnotVector& knots) {
     const std::vector<double> at = knots.grevilleAbscissae();
     const auto n = static_cast<Eigen::Index>(at.size());
     Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(n, n);
@@ -99,19 +75,13 @@ inline Eigen::VectorXd rimValues(const PoissonSquare& square, const Shell& shell
         basis.row(k).segment(span - knots.degree(), knots.degree() + 1) =
             knots.basisDerivatives(span, at[k], 0);
         for (Eigen::Index l = 0; l < n; ++l) {
-            values(k, l) = square.solution(at[k], at[l]);
+            values(k, l) = PoissonSquare::solution(at[k], at[l]);
         }
     }
     const Eigen::MatrixXd inverse = basis.inverse();
-    const Eigen::MatrixXd control = inverse * values * inverse.transpose();
-    Eigen::VectorXd all = Eigen::VectorXd::Zero(shell.nUnknowns());
-    for (Eigen::Index l = 0; l < n; ++l) {
-        for (Eigen::Index k = 0; k < n; ++k) {
-            const bool isRim = k == 0 || l == 0 || k == n - 1 || l == n - 1;
-            all[3 * (k + n * l) + 2] = isRim ? control(k, l) : 0;
-        }
-    }
-    return all;
+    Eigen::MatrixXd control = inverse * values * inverse.transpose();
+    control.block(1, 1, n - 2, n - 2).setZero();
+    return control;
 }
 
 /// Control values of the discrete solution, and what they took.
@@ -120,15 +90,17 @@ struct PoissonSolution {
     int nSolutions;
 };
 
-/// @param shell  square.membrane(), its supports by EdgeMethod::egm
-inline PoissonSolution solvePoisson(const PoissonSquare& square, Shell& shell) {
+/// @param shell  PoissonSquare::membrane(), its supports by EdgeMethod::egm
+inline PoissonSolution solvePoisson(Shell& shell) {
     const DirichletExtension& extension = *shell.dirichletExtension();
-    const Eigen::VectorXd rim = rimValues(square, shell);
+    Eigen::VectorXd rim = Eigen::VectorXd::Zero(shell.nUnknowns());
+    rim(Eigen::seqN(2, shell.nodes().count(), 3)) =
+        rimValues(shell.patches()[0]->surface().u()).reshaped();
     Eigen::Matrix3Xd onCurve =
         Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(extension.trace().size()));
     for (std::size_t k = 0; k < extension.trace().size(); ++k) {
         const Eigen::Vector3d& x = extension.trace()[k].on.side.position;
-        onCurve(2, static_cast<Eigen::Index>(k)) = square.solution(x[0], x[1]);
+        onCurve(2, static_cast<Eigen::Index>(k)) = PoissonSquare::solution(x[0], x[1]);
     }
     const SparseMatrix stiffness = stiffnessAtRest(shell);
     const auto solver =
@@ -154,8 +126,7 @@ struct PoissonError {
     double value, gradient;
 };
 
-inline PoissonError poissonError(const PoissonSquare& square, const Shell& shell,
-                                 const Eigen::VectorXd& d) {
+inline PoissonError poissonError(const Shell& shell, const Eigen::VectorXd& d) {
     Eigen::Array2d squares = Eigen::Array2d::Zero();
     ShellElement element;
     ShellElement::Coefficients local;
@@ -170,8 +141,8 @@ inline PoissonError poissonError(const PoissonSquare& square, const Shell& shell
                 element.functions().derivatives(local).topLeftCorner<3, 2>().row(2).transpose();
             const double w = element.functions().value(local)[2];
             squares += element.area() *
-                       Eigen::Array2d(std::pow(w - square.solution(x[0], x[1]), 2),
-                                      (slope - square.gradient(x[0], x[1])).squaredNorm());
+                       Eigen::Array2d(std::pow(w - PoissonSquare::solution(x[0], x[1]), 2),
+                                      (slope - PoissonSquare::gradient(x[0], x[1])).squaredNorm());
         }
     }
     return {std::sqrt(squares[0]), std::sqrt(squares[1])};
