@@ -14,6 +14,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <future>
 #include <random>
 #include <thread>
 
@@ -135,15 +136,23 @@ TEST(Channel, names_a_message_that_was_not_expected) {
 TEST(Channel, reports_a_silent_peer_each_interval_and_goes_on_waiting) {
     auto [fluid, structure] = connectedPair();
     std::vector<std::string> reports;
-    structure.reportSilence(0.05, [&](const std::string& line) { reports.push_back(line); });
-    std::thread peer([&fluid = fluid] {
-        std::this_thread::sleep_for(std::chrono::milliseconds(400));
+    std::promise<void> reportedTwice;
+    structure.reportSilence(0.05, [&](const std::string& line) {
+        reports.push_back(line);
+        if (reports.size() == 2) {
+            reportedTwice.set_value();
+        }
+    });
+    std::thread peer([&fluid = fluid, reported = reportedTwice.get_future()] {
+        reported.wait_for(std::chrono::seconds(60));
         fluid.send(Forces{});
     });
+    const Stopwatch watch;
     structure.receive<Forces>("the fluid's forces, step 12");
+    const double waited = watch.seconds();
     peer.join();
     ASSERT_GE(reports.size(), 2u);
-    EXPECT_LE(reports.size(), 8u); // 400 ms / 50 ms
+    EXPECT_LE(static_cast<double>(reports.size()), waited / 0.05 + 1); // one by rounding
     EXPECT_EQ(reports.front(), "waiting for the fluid's forces since 0 s, step 12");
 }
 
