@@ -106,6 +106,8 @@ void addCouple(CLI::App& app) {
         ->add_option("--token-file", options->tokenFile,
                      "File with the secret shared with it; needed with tcp")
         ->needs(connect);
+    command->add_option("--restart", options->restartTime,
+                        "Go on from the states that both have saved at this time [s]");
     command->add_flag("--mass-matrix", options->printsMassMatrix,
                       "Print the matrix M_DD of the moved edges");
     command->callback([options] {

@@ -2,10 +2,12 @@
 #include "igaStructure/edgeCoupling/EdgeSession.hpp"
 
 #include "common/errors.hpp"
+#include "igaStructure/coupledRun/restart/StartState.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace tokay::structure {
@@ -15,9 +17,18 @@ using channel::State;
 using Eigen::VectorXd;
 
 EdgeSession::EdgeSession(const Case& structureCase, const Body& body, MovedStructure& moved,
-                         const mapper::EdgeQuadrature& edge, FluidLink& link, Report report)
-    : case_(structureCase), moved_(moved), edge_(edge), link_(link), report_(report),
+                         const std::optional<SavedState>& start, const mapper::EdgeQuadrature& edge,
+                         FluidLink& link, Report report)
+    : case_(structureCase), moved_(moved), edge_(edge), states_(stateFolder(structureCase)),
+      startTime_(moved.state().time),
+      startDisplacements_(static_cast<std::size_t>(moved.dimension() * edge.nPoints()), 0),
+      link_(link), report_(report),
       output_(structureCase, body, moved.state(), structureCase.timeSteps->end, std::move(report)) {
+    if (start) {
+        startDisplacements_.assign(start->interfaceDisplacement.begin(),
+                                   start->interfaceDisplacement.end());
+        output_.continueEarlier();
+    }
 }
 
 channel::Interface EdgeSession::interface() const {
@@ -33,8 +44,9 @@ channel::Interface EdgeSession::interface() const {
         interface.facePoints.push_back(static_cast<std::uint32_t>(k));
         interface.faceOffsets.push_back(static_cast<std::uint32_t>(k + 1));
     }
-    interface.displacements.assign(interface.points.size(), 0);
+    interface.displacements = startDisplacements_;
     interface.tolerance = case_.coupling->tolerance.value_or(Coupling::defaultTolerance);
+    interface.startTime = startTime_;
     interface.endTime = case_.timeSteps->end;
     interface.deltaT = case_.timeSteps->step;
     return interface;
@@ -44,7 +56,7 @@ void EdgeSession::run() {
     link_.send(interface());
     link_.receive<channel::Accepted>("the loaded structure to start");
     const TimeSteps& steps = *case_.timeSteps;
-    for (int step = 1; step <= steps.count(); ++step) {
+    for (int step = nStepsBefore() + 1; step <= steps.count(); ++step) {
         const bool isLast = step == steps.count();
         const double time = isLast ? steps.end : step * steps.step;
         advance(step, time, isLast ? time - (step - 1) * steps.step : steps.step,
@@ -53,6 +65,26 @@ void EdgeSession::run() {
     link_.send(channel::Goodbye{"the last time step has been taken"});
     link_.receive<channel::Goodbye>("the loaded structure to end");
     reportIterations();
+}
+
+// Time steps of the case until the start.
+int EdgeSession::nStepsBefore() const {
+    return static_cast<int>(std::lround(startTime_ / case_.timeSteps->step));
+}
+
+void EdgeSession::save(const std::vector<double>& displacements, double deltaT) {
+    const auto timed = timer_.enter(Phase::output);
+    const VectorXd ofEdge = Eigen::Map<const VectorXd>(
+        displacements.data(), static_cast<Eigen::Index>(displacements.size()));
+    states_.add({case_.digest,
+                 moved_.state(),
+                 moved_.energies(),
+                 edge_.points(),
+                 ofEdge,
+                 VectorXd::Zero(ofEdge.size()),
+                 {}},
+                deltaT);
+    moved_.dropTangent();
 }
 
 Displacements EdgeSession::exchange(const channel::Message& message) {
@@ -83,8 +115,11 @@ void EdgeSession::advance(int step, double time, double deltaT, bool writes) {
     }
     forces.final = true;
     forces.write = writes;
-    exchange(forces);
+    const Displacements accepted = exchange(forces);
     moved_.acceptTimeStep();
+    if (writes) {
+        save(accepted.values, deltaT);
+    }
 
     StepReport report;
     report.step = step;

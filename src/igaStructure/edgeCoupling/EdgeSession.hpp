@@ -2,10 +2,12 @@
 #pragma once
 
 #include "igaStructure/coupledRun/FluidLink.hpp"
+#include "igaStructure/coupledRun/restart/StateFolder.hpp"
 #include "igaStructure/edgeCoupling/MovedStructure.hpp"
 #include "igaStructure/run/PhaseTimer.hpp"
 #include "igaStructure/run/RunOutput.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace tokay::structure {
@@ -17,16 +19,22 @@ class EdgeSession {
   public:
     /// Borrows all.
     /// @param structureCase  of the moved structure
+    /// @param moved  restored from the state that the run starts from
+    /// @param start  that state; none: at rest
     EdgeSession(const Case& structureCase, const Body& body, MovedStructure& moved,
-                const mapper::EdgeQuadrature& edge, FluidLink& link, Report report);
+                const std::optional<SavedState>& start, const mapper::EdgeQuadrature& edge,
+                FluidLink& link, Report report);
 
-    /// All time steps of the case.
+    /// All time steps of the case after the start. Where results are written both structures
+    /// save their states, from which a run can go on.
     /// @throws SolverError if a step has not converged after coupling.maxIterations: the
     ///         residual of each
     void run();
 
   private:
     channel::Interface interface() const;
+    int nStepsBefore() const;
+    void save(const std::vector<double>& displacements, double deltaT);
     void advance(int step, double time, double deltaT, bool writes);
     channel::Displacements exchange(const channel::Message& message);
     [[noreturn]] void throwNotConverged(double time) const;
@@ -35,6 +43,9 @@ class EdgeSession {
     const Case& case_;
     MovedStructure& moved_;
     const mapper::EdgeQuadrature& edge_;
+    StateFolder states_;
+    double startTime_;                       ///< [s]
+    std::vector<double> startDisplacements_; ///< of the edge's points [m]
     FluidLink& link_;
     Report report_;
     RunOutput output_;

@@ -39,6 +39,9 @@ class MovedEdgesModel : public StructuralModel {
         return turns_ ? Eigen::VectorXd(basis_ * unknowns) : unknowns;
     }
 
+    /// The reverse of ofStructure().
+    Eigen::VectorXd fromStructure(const Eigen::VectorXd& own) const { return turned(own); }
+
     /// What the trace determines of one component; none if supports hold it.
     const std::optional<mapper::EdgeTrace>& trace(int component) const {
         return parts_[static_cast<std::size_t>(component)].trace;

@@ -3,6 +3,8 @@
 
 #include "igaStructure/run/requireSupports.hpp"
 
+#include <array>
+
 namespace tokay::structure {
 
 using Eigen::VectorXd;
@@ -46,13 +48,29 @@ void MovedStructure::acceptTimeStep() {
     integrator_.acceptTimeStep();
 }
 
+namespace {
+
+std::array<VectorXd*, 5> vectorsOf(MotionState& state) {
+    return {&state.displacement, &state.velocity, &state.acceleration, &state.force,
+            &state.reaction};
+}
+
+} // namespace
+
 MotionState MovedStructure::state() const {
     MotionState state = integrator_.state();
-    for (VectorXd* vector : {&state.displacement, &state.velocity, &state.acceleration,
-                             &state.force, &state.reaction}) {
+    for (VectorXd* vector : vectorsOf(state)) {
         *vector = model_.ofStructure(*vector);
     }
     return state;
+}
+
+void MovedStructure::restore(const MotionState& own, const Energies& energies) {
+    MotionState state = own;
+    for (VectorXd* vector : vectorsOf(state)) {
+        *vector = model_.fromStructure(*vector);
+    }
+    integrator_.restore(state, energies);
 }
 
 } // namespace tokay::structure

@@ -7,6 +7,7 @@
 #include "common/errors.hpp"
 #include "igaStructure/case/makeBody.hpp"
 #include "igaStructure/coupledRun/CoupledRun.hpp"
+#include "igaStructure/coupledRun/restart/StartState.hpp"
 #include "igaStructure/edgeCoupling/EdgeSession.hpp"
 #include "igaStructure/edgeCoupling/PartnerThread.hpp"
 #include "igaStructure/run/describeModel.hpp"
@@ -121,6 +122,30 @@ channel::Channel connect(const CoupleOptions& options) {
     return channel;
 }
 
+// The moved structure's saved state to go on from.
+SavedState startState(const Case& moved, int nUnknowns, double time) {
+    const StateFolder folder = stateFolder(moved);
+    constexpr double tolerance = 0.1; // of a step: names of states have few digits
+    std::optional<SavedState> saved = folder.find(time, tolerance * moved.timeSteps->step);
+    if (!saved) {
+        const std::vector<double> times = folder.times();
+        throw InputError(fmt::format(
+            "--restart {:g}: {} has no saved state of that time in {}; it "
+            "has: {}. States are saved where results are written "
+            "(output.interval)",
+            time, moved.name, folder.directory(),
+            times.empty() ? "none" : fmt::format("{:.9g} s", fmt::join(times, " s, "))));
+    }
+    if (saved->motion.time > moved.timeSteps->end - 0.5 * moved.timeSteps->step) {
+        throw InputError(
+            fmt::format("--restart {:g}: the run ends there; set time.end in {} beyond "
+                        "it",
+                        time, moved.file));
+    }
+    requireSameStructure(*saved, moved, nUnknowns);
+    return *std::move(saved);
+}
+
 } // namespace
 
 void runCouple(const CoupleOptions& options, const Report& report) {
@@ -132,6 +157,11 @@ void runCouple(const CoupleOptions& options, const Report& report) {
     const mapper::EdgeQuadrature edge(*edgesOf(pair.loaded, *loaded), *edges,
                                       {pair.moved.coupling->gapLimit, true});
     MovedStructure moved(pair.moved, *body, *edges, edge);
+    std::optional<SavedState> start;
+    if (options.restartTime) {
+        start = startState(pair.moved, body->model().nUnknowns(), *options.restartTime);
+        moved.restore(start->motion, start->energies);
+    }
     report(describeModel(pair.moved, *body) + describeTraces(pair, edge, moved.model()) +
            (options.printsMassMatrix ? describeMassMatrix(edge) : ""));
 
@@ -143,7 +173,7 @@ void runCouple(const CoupleOptions& options, const Report& report) {
     FluidLink link(partner ? partner->takeChannel() : connect(options), silenceInterval, report);
     try {
         link.shakeHands(movedGreeting());
-        EdgeSession(pair.moved, *body, moved, edge, link, report).run();
+        EdgeSession(pair.moved, *body, moved, start, edge, link, report).run();
     } catch (const channel::PeerFailure&) {
         throw; // it has ended already
     } catch (const std::exception& error) {

@@ -3,6 +3,7 @@
 
 #include "igaStructure/run/StepReport.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct CoupleOptions {
     std::string address;           ///< of the loaded structure, running elsewhere; empty: starts it
     std::string tokenFile;         ///< with the secret shared with it; empty: none
     bool printsMassMatrix = false; ///< M_DD of the moved edges
+    std::optional<double> restartTime; ///< of the saved states to go on from; none: at rest [s]
 };
 
 /// Runs two structures that are coupled along edges: displacement one way, forces back.

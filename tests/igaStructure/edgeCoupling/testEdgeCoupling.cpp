@@ -240,6 +240,7 @@ struct TrimmableHalf {
     double poissonsRatio = 0;
     std::string time = "{scheme: static, step: 1, end: 1}";
     std::array<std::string, 3> force = {"1", "0", "0"}; ///< a plane solid takes two components
+    int interval = 0;                                   ///< time steps between results
     std::string coupling = "";
 
     bool isTrimmed() const { return last > first; }
@@ -263,12 +264,12 @@ struct TrimmableHalf {
                 "density: 1}}\n"
                 "supports: {}\nloads: {}\ntime: {}\n"
                 "coupling: {{interface: [{}], {}}}\n"
-                "output: {{interval: 0, watchPoints: [{{name: a, at: [{}, 0.5{}]}}, {{name: b, "
+                "output: {{interval: {}, watchPoints: [{{name: a, at: [{}, 0.5{}]}}, {{name: b, "
                 "at: [{}, 0.3{}]}}]}}\n",
                 geometry, isTrimmed() ? 2 : 1,
                 isPlane ? "planeStress" : "membrane, prestress: 1e-9", poissonsRatio, supports(),
                 loads(), time, inner,
-                isLeft ? "acceleration: {type: iqnIls}" : "side: dirichlet" + coupling,
+                isLeft ? "acceleration: {type: iqnIls}" : "side: dirichlet" + coupling, interval,
                 isLeft ? 0.5 : 2.5, isPlane ? "" : ", 0", isLeft ? 1.5 : 4, isPlane ? "" : ", 0"));
     }
 
@@ -348,6 +349,35 @@ TEST(EdgeCoupling, halves_trimmed_on_a_knot_line_move_as_untrimmed_ones_with_the
         expectSame(trimmed.left, untrimmed.left, 1e-7);
         expectSame(trimmed.right, untrimmed.right, 1e-7);
     }
+}
+
+TEST(EdgeCoupling, a_restarted_run_goes_on_digit_by_digit) {
+    TrimmableHalf left{true, 0, 4, 2}, right{false, 0, 4, 2};
+    for (TrimmableHalf* half : {&left, &right}) {
+        half->poissonsRatio = 0.3;
+        half->time = "{step: 0.02, end: 0.2}";
+        half->force = {"sin(9*t)", "t", "t*t"};
+        half->interval = 5;
+    }
+    const TemporaryDirectory directory;
+    CoupleOptions options;
+    options.caseFiles = {left.write(directory, "left"), right.write(directory, "right")};
+    const Report silent = [](const std::string&) {};
+    runCouple(options, silent);
+    options.restartTime = 0.1;
+    runCouple(options, silent);
+    for (const std::string side : {"left", "right"}) {
+        const std::string tables = "postProcessing/" + side;
+        auto whole = tableRows(directory.read(tables + "/0/watchPoints.dat"));
+        whole.erase(whole.begin(), whole.begin() + 5);
+        EXPECT_EQ(tableRows(directory.read(tables + "/0.1/watchPoints.dat")), whole);
+    }
+    options.restartTime = 0.13;
+    EXPECT_THAT([&] { runCouple(options, silent); },
+                testing::ThrowsMessage<InputError>(HasSubstr("it has: 0.1 s, 0.2 s")));
+    options.restartTime = 0.2;
+    EXPECT_THAT([&] { runCouple(options, silent); },
+                testing::ThrowsMessage<InputError>(HasSubstr("the run ends there")));
 }
 
 TEST(EdgeCoupling, force_of_a_thick_plate_loads_a_thin_one_whole) {

@@ -21,22 +21,6 @@ constexpr double displacementTolerance = 1e-4;
 // The mapping gives what it has given, but for options that hardly change it.
 constexpr double mappingTolerance = 1e-3;
 
-void requireSameStructure(const SavedState& state, const Case& structureCase, int nUnknowns) {
-    if (state.motion.displacement.size() != nUnknowns) {
-        throw InputError(fmt::format(
-            "the saved state of {:.9g} s has {} unknowns, but {} makes {}: "
-            "go on with the case file that it was made with, or start from "
-            "an undeformed mesh",
-            state.motion.time, state.motion.displacement.size(), structureCase.file, nUnknowns));
-    }
-    if (state.digest != structureCase.digest) {
-        throw InputError(fmt::format(
-            "geometry or discretisation of {} are not those of the saved state of {:.9g} s: go on "
-            "with the case file that it was made with, or start from an undeformed mesh",
-            structureCase.file, state.motion.time));
-    }
-}
-
 [[noreturn]] void throwNoState(const Interface& fluid, const StateFolder& folder) {
     const std::vector<double> times = folder.times();
     throw InputError(fmt::format(
@@ -60,6 +44,22 @@ double difference(const StartState& state, const Eigen::VectorXd& ofFluid) {
 
 StateFolder stateFolder(const Case& structureCase) {
     return {structureCase.output.directory + "/states", structureCase.name};
+}
+
+void requireSameStructure(const SavedState& state, const Case& structureCase, int nUnknowns) {
+    if (state.motion.displacement.size() != nUnknowns) {
+        throw InputError(fmt::format(
+            "the saved state of {:.9g} s has {} unknowns, but {} makes {}: "
+            "go on with the case file that it was made with, or start from "
+            "an undeformed mesh",
+            state.motion.time, state.motion.displacement.size(), structureCase.file, nUnknowns));
+    }
+    if (state.digest != structureCase.digest) {
+        throw InputError(fmt::format(
+            "geometry or discretisation of {} are not those of the saved state of {:.9g} s: go on "
+            "with the case file that it was made with, or start from an undeformed mesh",
+            structureCase.file, state.motion.time));
+    }
 }
 
 std::optional<StartState> findStartState(const Case& structureCase, int nUnknowns,

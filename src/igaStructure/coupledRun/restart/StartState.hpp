@@ -21,6 +21,9 @@ struct StartState {
 /// Where the saved states of a case are.
 StateFolder stateFolder(const Case& structureCase);
 
+/// @throws InputError if a saved state is that of another geometry or discretisation
+void requireSameStructure(const SavedState& state, const Case& structureCase, int nUnknowns);
+
 /// The saved state that belongs to the fluid's fields at its start time; none
 /// if the fluid starts from an undeformed mesh, and so the structure at rest.
 /// @param points  of the fluid's interface in the reference configuration, n x 3 [m]
