@@ -206,6 +206,14 @@ couplingInterval()
     expectRefusal "residualControl has no entry for the velocity" "add 'U { tolerance 1e-4; relTol 0; }'"
 }
 
+property fluidPredictor "an unknown predictor of the flow is refused"
+fluidPredictor()
+{
+    makeCase fluid
+    coupling fluidPredictor cubic
+    expectRefusal "fluidPredictor: cubic; allowed: none, linear" "controlDict.functions.structure"
+}
+
 property pressureTolerance "an unknown choice of the pressure's tolerance is refused"
 pressureTolerance()
 {

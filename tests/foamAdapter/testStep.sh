@@ -224,6 +224,33 @@ tolerancePattern()
     awk '!$4 && $2 > 1e-8 { exit 1 }' pressures || fail "another solution has been loosened"
 }
 
+# accelerate FOLDER CHOICE: a fluid almost without viscosity and convection, in which
+# velocities grow linearly and the pressure is constant; prints the first residual of Ux
+# in the last time step
+accelerate()
+{
+    cd "$propertyFolder"
+    makeCase "$1"
+    coupling fluidPredictor "$2"
+    entry system/controlDict endTime 0.2
+    entry constant/transportProperties nu 1e-12
+    sed -i 's/^\(internalField *\)uniform (10 0 0);/\1uniform (0 0 0);/
+        s/fixedValue;/uniformFixedValue; uniformValue table ((0 (0 0 0)) (1 (1e-3 0 0)));/' 0/U
+    runFluid
+    awk '/^Time = 0.2$/ { last = 1 } last && /Solving for Ux/ { sub(",", "", $8); print $8; exit }' log.pimpleFoam
+}
+
+property fluidPredictor "a flow whose velocities grow linearly in time is predicted"
+fluidPredictor()
+{
+    local without with
+    without=$(accelerate none none)
+    with=$(accelerate linear linear)
+    # What is left is the convection and what dies out after the start
+    awk -v a="$without" -v b="$with" 'BEGIN { exit !(a > 0.1 && b < 0.01*a) }' \
+        || fail "first residual of Ux: $without without prediction, $with with it"
+}
+
 property lastIteration "before the final outer corrector there is a coupling iteration, whatever the interval"
 lastIteration()
 {

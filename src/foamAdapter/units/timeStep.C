@@ -2,4 +2,5 @@
 // Compiled together, because reading OpenFOAM's headers takes most of the time
 #include "crankNicolsonRates.C"
 #include "fluidSnapshot.C"
+#include "fluidPredictor.C"
 #include "stepRetry.C"

@@ -24,8 +24,9 @@ turns()
     awk '$3 == 1 { print $1, $2, $4, $5 }' moved | sort > front
     cut -d ' ' -f 3- back > back.moved
     cut -d ' ' -f 3- front > front.moved
-    # Points have 12 digits, displacements of 0.01 in coordinates of 4
-    expectSameTable "displacement of the sides" 1e-8 back.moved front.moved
+    # The flap follows what the linear solvers leave of the pressure across; the points'
+    # 12 digits are 4e-10 of its displacement
+    expectSameTable "displacement of the sides" 1e-7 back.moved front.moved
 }
 
 property still "cyclic sides: the flap's tip with a mesh that does not turn"

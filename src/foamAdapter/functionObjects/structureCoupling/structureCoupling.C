@@ -45,7 +45,7 @@ void Foam::functionObjects::structureCoupling::requireKnown() const
         {
             "patches", "rho", "pRef", "viscous", "p", "U", "onUnconverged",
             "retry", "couplingInterval", "pressureTolerance",
-            "conservationLimit", "enclosedFluid", "structure",
+            "fluidPredictor", "conservationLimit", "enclosedFluid", "structure",
             // Entries of any function object
             "type", "libs", "functionObjectLibs", "enabled", "errors", "log",
             "region", "writePrecision", "writeToFile", "updateHeader",

@@ -25,6 +25,7 @@ void Foam::couplingSession::beginTimeStep()
     audited_ = false;
     rates_.beginTimeStep();
     force_.beginTimeStep();
+    predictor_.beginTimeStep();
     coupledCorrector_ = 0;
 
     const scalar start = stepController::wallClock();
@@ -371,6 +372,14 @@ Foam::couplingSession::couplingSession
     residual_(name, mesh, pimple_),
     criteria_(name, force_.UName(), mesh, pimple_),
     pressureTolerance_(dict, mesh),
+    predictor_
+    (
+        dict,
+        mesh,
+        force_.pName(),
+        force_.UName(),
+        !residual_.isExplicit()
+    ),
     rates_(mesh, force_.UName()),
     interval_(dict, residual_, criteria_),
     audit_(mesh, dict),
@@ -413,6 +422,7 @@ Foam::couplingSession::couplingSession
         Info<< "    strong coupling, tolerance " << residual_.tolerance()
             << endl;
         pressureTolerance_.announce();
+        predictor_.announce();
         controlAdvice::report(mesh, pimple_, UName());
     }
     tokay::channel::Accepted accepted(structure_.start(message));
