@@ -110,9 +110,17 @@ void OffsetMapping::finish(const GapStatistics& gaps, const Points& to) {
     }
 }
 
+Eigen::Matrix3d OffsetMapping::atPoint(const Attachment& attachment, const Points& values) {
+    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+    for (std::size_t j = 0; j < attachment.controlPoints.size(); ++j) {
+        sum += attachment.N.col(j) * values.row(attachment.controlPoints[j]);
+    }
+    return sum;
+}
+
 OffsetMapping::Frame OffsetMapping::frameOf(const Attachment& attachment,
                                             const Points& controlPoints) const {
-    const Points d = attachment.N * controlPoints(attachment.controlPoints, Eigen::all);
+    const Eigen::Matrix3d d = atPoint(attachment, controlPoints);
     Frame frame;
     frame.r = d.row(0);
     frame.a1 = d.row(1);
@@ -145,7 +153,7 @@ Points OffsetMapping::variation(const Points& displacements, const Points& varia
     for (std::size_t i = 0; i < attachments_.size(); ++i) {
         const Attachment& attachment = attachments_[i];
         const Frame frame = frameOf(attachment, current);
-        const Points d = attachment.N * variation(attachment.controlPoints, Eigen::all);
+        const Eigen::Matrix3d d = atPoint(attachment, variation);
         const Point da1 = d.row(1), da2 = d.row(2);
         const Point turned = da1.cross(frame.a2) + frame.a1.cross(da2);
         const Point da3 = (turned - frame.a3 * frame.a3.dot(turned)) / frame.area;
@@ -168,9 +176,8 @@ Points OffsetMapping::forces(const Points& displacements, const Points& forces) 
         conjugate.row(0) = f;
         conjugate.row(1) = frame.a2.cross(g) + attachment.tangential[0] * f;
         conjugate.row(2) = g.cross(frame.a1) + attachment.tangential[1] * f;
-        const Points local = attachment.N.transpose() * conjugate;
         for (std::size_t j = 0; j < attachment.controlPoints.size(); ++j) {
-            result.row(attachment.controlPoints[j]) += local.row(j);
+            result.row(attachment.controlPoints[j]) += attachment.N.col(j).transpose() * conjugate;
         }
     }
     return result;

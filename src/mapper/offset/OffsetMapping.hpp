@@ -45,7 +45,7 @@ class OffsetMapping : public Mapping {
     struct Attachment {
         std::vector<int> controlPoints;
         /// Rows: functions, derivatives by xi and by eta (zero for a beam).
-        Eigen::MatrixXd N;
+        Eigen::Matrix3Xd N;
         double zeta;
         Eigen::Vector2d tangential;
         Point reference; ///< where that is with no displacement
@@ -56,6 +56,9 @@ class OffsetMapping : public Mapping {
         double area;
     };
 
+    /// @param values  of the control points
+    /// @return  rows: their value, derivatives by xi and by eta at the projection
+    static Eigen::Matrix3d atPoint(const Attachment& attachment, const Points& values);
     static Point position(const Attachment& attachment, const Frame& frame);
     Frame frameOf(const Attachment& attachment, const Points& controlPoints) const;
     void attach(const Point& point, std::vector<int> controlPoints, Eigen::MatrixXd N);
