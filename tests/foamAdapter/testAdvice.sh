@@ -73,6 +73,10 @@ sliding()
     useLaplacian
     runFluid
     expectText log.pimpleFoam "on patch 'upperWall'" "normals of the moved mesh" "fixedNormalSlip"
+    rm -rf 0.* postProcessing
+    sed -i 's/type slip;/type fixedNormalSlip; n (0 1 0);/' 0/pointDisplacement
+    runFluid
+    expectNoText log.pimpleFoam "normals of the moved mesh"
 }
 
 property consistent "a viscous flow without SIMPLEC is warned of, with its diffusion number"

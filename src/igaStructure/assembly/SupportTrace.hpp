@@ -46,8 +46,9 @@ class SupportTrace {
     Eigen::VectorXd at(double time) const;
 
   private:
-    /// Calls visit(number of the unknown, its function) for each that follows a component.
+    /// Values of unknowns_ at a time, by least squares [m].
     Eigen::VectorXd fitted(double time) const;
+    /// Calls visit(number of the unknown, its function) for each that follows a component.
     template <class Visit>
     void forEachUnknown(const SupportPoint& point, int component, Visit visit) const;
 

@@ -326,6 +326,7 @@ void Foam::harmonicBasisMotionSolver::solve()
 void Foam::harmonicBasisMotionSolver::updateMesh(const mapPolyMesh& map)
 {
     displacementMotionSolver::updateMesh(map);
+    constraints_.updateMesh();
     if (fallback_.motion())
     {
         fallback_.motion()->updateMesh();

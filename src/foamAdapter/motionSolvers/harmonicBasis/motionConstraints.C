@@ -326,6 +326,7 @@ Foam::motionConstraints::motionConstraints
     {
         setFrame(axes);
         setProcessorPatches();
+        setPointsInPlanes();
     }
 }
 
@@ -418,6 +419,15 @@ Foam::motionConstraints::conditionsOfCoordinate(const direction axis) const
 }
 
 
+void Foam::motionConstraints::setPointsInPlanes()
+{
+    forAll(inPlanes_, axis)
+    {
+        inPlanes_[axis] = pointsOf(planes_, axis).sortedToc();
+    }
+}
+
+
 Foam::bitSet Foam::motionConstraints::pointsOf
 (
     const labelUList& axes,
@@ -447,18 +457,23 @@ Foam::bitSet Foam::motionConstraints::coordinateIsGiven
 }
 
 
+void Foam::motionConstraints::updateMesh()
+{
+    if (obstacle_.empty())
+    {
+        setPointsInPlanes();
+    }
+}
+
+
 void Foam::motionConstraints::keepInPlanes(vectorField& displacement) const
 {
-    for (direction axis = 0; axis < vector::nComponents; ++axis)
+    forAll(inPlanes_, axis)
     {
-        if (!obstacle_.empty() || !planes_.found(axis))
-        {
-            continue;
-        }
         vector along(Zero);
         along[axis] = 1;
         const vector normal(along & frame_);
-        for (const label pointi : pointsOf(planes_, axis))
+        for (const label pointi : inPlanes_[axis])
         {
             displacement[pointi] -= normal*(normal & displacement[pointi]);
         }

@@ -162,7 +162,8 @@ void adviseSliding(const fvMesh& mesh)
         mesh.lookupObject<pointVectorField>("pointDisplacement");
     for (const pointPatchVectorField& condition : displacement.boundaryField())
     {
-        const bool isSlip = isA<slipPointPatchVectorField>(condition);
+        // Not fixedNormalSlip, which is derived from it
+        const bool isSlip = isType<slipPointPatchVectorField>(condition);
         if (isSlip || isA<symmetryPointPatchVectorField>(condition))
         {
             WarningInFunction
