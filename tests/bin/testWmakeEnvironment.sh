@@ -67,6 +67,20 @@ printf 'api=2606\npatch=260901\n' > "$work/other/META-INFO/api-info"
 prepare other FOAM_USER_LIBBIN="$work/lib"
 [ ! -e "$objects/some.o" ] || fail "objects of another patch level stay"
 
+# Links and dependencies stay as long as no file comes or goes, and objects with them
+known() { prepare other FOAM_USER_LIBBIN="$work/lib"; touch "$objects/some.o" "$objects/some.C.dep"; mkdir -p "$work/library/lnInclude"; }
+known
+prepare other FOAM_USER_LIBBIN="$work/lib"
+[ -e "$objects/some.C.dep" ] && [ -d "$work/library/lnInclude" ] || fail "dependencies of the same files are removed"
+for change in "touch new.H" "mv new.H renamed.H" "rm renamed.H"
+do
+    known
+    (cd "$work/library" && $change)
+    prepare other FOAM_USER_LIBBIN="$work/lib"
+    [ ! -e "$objects/some.C.dep" ] && [ ! -e "$work/library/lnInclude" ] || fail "links stay after: $change"
+    [ -e "$objects/some.o" ] || fail "objects are removed after: $change"
+done
+
 # openfoam.com's own package of the name 'openfoam'
 mkdir "$work/stubs"
 printf '#!/bin/sh\n[ "$1" = --listfiles ] && echo /usr/share/doc/openfoam || printf 2312.0\n' > "$work/stubs/dpkg-query"
