@@ -29,7 +29,7 @@ Choices<TransferMethod> surfaceMethods() {
          "polynomials."},
         {"mortar", TransferMethod::mortar,
          "L2 projection onto the functions of the fluid's faces, integrated on the intersection "
-         "of faces and knot spans."},
+         "of faces and knot spans; points on the rim of the interface as by nearestElement."},
         {"dualMortar", TransferMethod::dualMortar,
          "the same, tested with the dual basis: no system is solved."}};
 }

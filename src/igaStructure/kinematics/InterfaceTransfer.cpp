@@ -5,6 +5,7 @@
 #include "mapper/LinearisedMapping.hpp"
 #include "mapper/interface/PointCloud.hpp"
 #include "mapper/mortar/MortarMapping.hpp"
+#include "mapper/mortar/rimVertices.hpp"
 #include "mapper/nearest/NearestElementMapping.hpp"
 #include "mapper/nearest/SampledMapping.hpp"
 #include "mapper/offset/OffsetMapping.hpp"
@@ -58,6 +59,8 @@ std::unique_ptr<const Mapping> mortarMapping(const Surface& from, const FaceMesh
     mapper::MortarOptions options;
     options.basis = basis;
     options.gapLimit = limit;
+    // Where other patches of the fluid constrain points
+    options.interpolated = mapper::rimVertices(to.faces);
     auto mapping = std::make_unique<mapper::MortarMapping>(from, meshOf(from, to), options);
     if (const int n = mapping->report().nUncovered; n > 0) {
         throw InputError(fmt::format(

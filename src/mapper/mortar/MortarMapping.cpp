@@ -11,6 +11,8 @@
 #include "mapper/intersection/meshIntersection.hpp"
 #include "mapper/intersection/patchIntersection.hpp"
 
+#include <fmt/format.h>
+
 namespace tokay::mapper {
 
 namespace {
@@ -130,6 +132,16 @@ void integrateIntersection(const SurfaceInterface& from, const SurfaceInterface&
     }
 }
 
+RowSparseMatrix sparseDiagonal(const Eigen::VectorXd& diagonal) {
+    RowSparseMatrix matrix(diagonal.size(), diagonal.size());
+    for (Eigen::Index i = 0; i < diagonal.size(); ++i) {
+        if (diagonal[i] != 0) {
+            matrix.insert(i, i) = diagonal[i];
+        }
+    }
+    return matrix;
+}
+
 /// The gradient term if it is the choice.
 template <class From, class To>
 GradientTerm chosenTerm(const From& from, const To& to, const MortarOptions& options) {
@@ -207,12 +219,46 @@ MortarMapping::MortarMapping(const SurfaceInterface& from, const SurfaceInterfac
         chosenTerm(from, to, options));
 }
 
+// With the given values g = P phi_O on the right-hand side the matrix stays symmetric:
+// M_ff phi_f = (M_fO - M_fg P) phi_O beside D_gg phi_g = D_gg P phi_O.
+void MortarMapping::interpolate(const std::vector<int>& values, const Discretisation& from,
+                                const Discretisation& to) {
+    Eigen::VectorXd interpolated = Eigen::VectorXd::Zero(to.nValues());
+    std::vector<Eigen::Triplet<double>> entries;
+    for (const int value : values) {
+        interpolated[value] = 1;
+        const Functions there = from.locate(to.coordinates().row(value));
+        for (std::size_t j = 0; j < there.values.size(); ++j) {
+            entries.emplace_back(value, there.values[j], there.weights[j]);
+        }
+    }
+    RowSparseMatrix interpolation(cross_.rows(), cross_.cols());
+    interpolation.setFromTriplets(entries.begin(), entries.end());
+
+    const Eigen::VectorXd given = mass_.diagonal().cwiseProduct(interpolated);
+    const RowSparseMatrix toFree =
+                              sparseDiagonal(Eigen::VectorXd::Ones(to.nValues()) - interpolated),
+                          toGiven = sparseDiagonal(given);
+    const RowSparseMatrix ofGiven = mass_ * interpolation;
+    const RowSparseMatrix projected = cross_ - ofGiven;
+    const RowSparseMatrix freeCross = toFree * projected, givenCross = toGiven * interpolation;
+    cross_ = freeCross + givenCross;
+    const RowSparseMatrix freeRows = toFree * mass_;
+    const RowSparseMatrix freeMass = (freeRows * toFree).pruned();
+    mass_ = freeMass + toGiven;
+}
+
 void MortarMapping::finish(const MortarAssembler& assembler, const MortarOptions& options,
                            const Discretisation& from, const Discretisation& to,
                            const RowSparseMatrix& gradientTerm) {
     report_.method = options.basis == MortarBasis::dual ? "mortar, dual basis" : "mortar";
     mass_ = assembler.massMatrix();
     cross_ = assembler.crossMatrix();
+    if (!options.interpolated.empty()) {
+        interpolate(options.interpolated, from, to);
+        report_.method +=
+            fmt::format(", {} values on the rim interpolated", options.interpolated.size());
+    }
     inverse_.emplace(mass_, options.singular, gradientTerm);
     report_.nUncovered = assembler.nUncovered(mass_);
     report_.nInverted = inverse_->nActive();

@@ -11,6 +11,7 @@
 #include "mapper/mortar/MassInverse.hpp"
 
 #include <optional>
+#include <vector>
 
 namespace tokay::mapper {
 
@@ -25,6 +26,11 @@ struct MortarOptions {
     /// Degree of the quadrature on the pieces into which mesh faces and knot spans
     /// of patches cut each other; 0: the sum of the patch's degrees.
     int patchQuadratureDegree = 0;
+    /// Values of the destination that are the source's at their coordinates; the others are
+    /// projected with these given. For the rim of an interface where walls constrain its points,
+    /// which a projection would move.
+    /// Source: Bernardi, Maday & Patera, 1994 (a mortar's values at its ends)
+    std::vector<int> interpolated;
 };
 
 /// L2 projection: M_DD phi_D = M_DO phi_O, integrated on the intersection of the
@@ -69,9 +75,9 @@ class MortarMapping : public Mapping {
     Eigen::MatrixXd apply(const Eigen::MatrixXd& values) const override;
     Eigen::MatrixXd applyTransposed(const Eigen::MatrixXd& forces) const override;
 
-    /// M_DD, nTo x nTo (diagonal for the dual basis).
+    /// M_DD, nTo x nTo (diagonal for the dual basis); of an interpolated value the diagonal only.
     const RowSparseMatrix& massMatrix() const { return mass_; }
-    /// M_DO, nTo x nFrom.
+    /// M_DO, nTo x nFrom, less what interpolated values contribute.
     const RowSparseMatrix& crossMatrix() const { return cross_; }
 
   private:
@@ -80,6 +86,8 @@ class MortarMapping : public Mapping {
     template <class From, class To, class Integrate>
     void build(const From& from, const To& to, const MortarOptions& options,
                MortarAssembler assembler, Integrate integrate, GradientTerm gradientTerm = {});
+    void interpolate(const std::vector<int>& values, const Discretisation& from,
+                     const Discretisation& to);
     void finish(const MortarAssembler& assembler, const MortarOptions& options,
                 const Discretisation& from, const Discretisation& to,
                 const RowSparseMatrix& gradientTerm);

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace tokay;
@@ -189,20 +190,58 @@ TEST_P(EveryMapping, transposed_loads_keep_work_and_integrated_ones_do_to_second
         for (Eigen::Index k = 0; k < X.rows(); ++k) {
             motion[d * k] = X(k, 1) * X(k, 1);
         }
-        const double work =
-            forces.cwiseProduct(faceMeans(fluid, transfer->displacements(motion))).sum();
+        // Some faces do work and others take it: relative to the sum of magnitudes
+        const Points work = forces.cwiseProduct(faceMeans(fluid, transfer->displacements(motion)));
         const double onStructure =
             transfer->forces(VectorXd::Zero(motion.size()), forces).dot(motion);
-        return std::abs(onStructure - work) / std::abs(work);
+        return std::abs(onStructure - work.sum()) / work.cwiseAbs().sum();
     };
     if (GetParam().loads == LoadTransfer::transposed) {
         EXPECT_LT(error(6), 1e-11);
     } else if (GetParam().method == TransferMethod::nearestNeighbour) {
         EXPECT_LT(error(12), 0.2); // steps between samples
+    } else if (GetParam().method == TransferMethod::rbf) {
+        EXPECT_LT(error(24), 5e-3); // what interpolation misses between samples, whatever the faces
     } else {
         EXPECT_LT(error(24), error(6) / 8 + 1e-9);
-        EXPECT_LT(error(24), 5e-3); // (1/24)^2 times a curvature of about 2
+        // A chord's mean misses (1/24)^2/12 of a curvature of 2; the mean motion is a fifth
+        EXPECT_LT(error(24), 2e-3);
     }
+}
+
+// A body that bends within a knot span of its clamped edges, next to much larger faces. Mappings
+// from samples know nothing of edges between them.
+TEST_P(EveryMapping, points_on_clamped_edges_stay_on_them) {
+    if (GetParam().method == TransferMethod::nearestNeighbour ||
+        GetParam().method == TransferMethod::rbf) {
+        GTEST_SKIP() << "from samples";
+    }
+    const std::unique_ptr<Body> body = bodyOf(GetParam().shape);
+    const FaceMesh fluid = fluidOf(GetParam().shape, 2);
+    const auto transfer = body->transfer(couplingOf(GetParam()), fluid);
+    const bool isSheet = body->dimension() == 3; // from 0 to 60 degrees, z from 0 to 1
+    const auto isOnEdge = [&](const Eigen::RowVector3d& X) {
+        const double along = isSheet ? std::atan2(X[1], X[0]) * 3 / M_PI : X[1];
+        const double up = isSheet ? X[2] : 0.5;
+        return std::min({along, 1 - along, up, 1 - up}) < 1e-9;
+    };
+    const Points X = transfer->controlPoints(VectorXd::Zero(body->model().nUnknowns()));
+    const int d = body->model().nComponents();
+    VectorXd motion = VectorXd::Zero(X.rows() * d);
+    for (Eigen::Index k = 0; k < X.rows(); ++k) {
+        motion[d * k] = isOnEdge(X.row(k)) ? 0 : 1;
+    }
+    const Points moved = transfer->displacements(motion);
+    int nInside = 0;
+    for (Eigen::Index i = 0; i < moved.rows(); ++i) {
+        if (isOnEdge(fluid.vertices.row(i))) {
+            EXPECT_LT(moved.row(i).norm(), 1e-11) << i;
+        } else {
+            EXPECT_GT(moved(i, 0), 0.5);
+            ++nInside;
+        }
+    }
+    EXPECT_EQ(nInside, 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Transfer, EveryMapping, testing::ValuesIn(everyMapping()));
@@ -240,16 +279,14 @@ TEST(Transfer, point_loads_on_a_finer_structure_are_told) {
 }
 
 TEST(Transfer, points_that_mortar_does_not_reach_are_refused) {
-    const std::unique_ptr<Body> body = bodyOf(Shape::plane);
-    FaceMesh fluid = fluidOf(Shape::plane, 4);
-    for (int i = 0; i < 2; ++i) { // an edge across the dry side, beyond the end of the wet one
-        fluid.vertices.conservativeResize(fluid.vertices.rows() + 1, 3);
-        fluid.vertices.bottomRows(1) << 0.01 * (i + 1), 1, 0;
-    }
-    fluid.faces.push_back({4, 5});
-    fluid.faces.push_back({5, 6});
+    const std::unique_ptr<Body> body = bodyOf(Shape::shell);
+    FaceMesh fluid = fluidOf(Shape::shell, 4);
+    // The last row of faces lies beyond the edge at z = 1, nearer than the limit
+    fluid.vertices.col(2) = fluid.vertices.col(2).unaryExpr([](double z) {
+        return z > 0.9 ? 1.1 : z > 0.6 ? 1.05 : z;
+    });
     try {
-        body->transfer(couplingOf({Shape::plane, TransferMethod::mortar, LoadTransfer::integrated}),
+        body->transfer(couplingOf({Shape::shell, TransferMethod::mortar, LoadTransfer::integrated}),
                        fluid);
         FAIL();
     } catch (const InputError& error) {

@@ -15,7 +15,7 @@ namespace tokay::mapper {
 
 namespace {
 
-constexpr MortarOptions minimumNorm() {
+MortarOptions minimumNorm() {
     MortarOptions options;
     options.singular = SingularMass::minimumNorm;
     return options;
