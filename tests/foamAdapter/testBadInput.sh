@@ -189,7 +189,15 @@ policy()
 {
     makeCase fluid
     coupling onUnconverged ignore
-    expectRefusal "ignore" "(abort warn retry)" "controlDict.functions.structure"
+    expectRefusal "onUnconverged: ignore; allowed: abort, warn, retry" "controlDict.functions.structure"
+}
+
+property enclosedFluid "an unknown policy of an enclosed fluid is refused"
+enclosedFluid()
+{
+    makeCase fluid
+    coupling enclosedFluid perhaps
+    expectRefusal "enclosedFluid: perhaps; allowed: refuse, accept" "controlDict.functions.structure"
 }
 
 property couplingInterval "a coupling interval that cannot be followed is refused"

@@ -12,4 +12,5 @@
 #include "stepController.C"
 #include "stepTables.C"
 #include "invertedCells.C"
+#include "finalCorrector.C"
 #include "couplingSession.C"

@@ -16,6 +16,58 @@ namespace Foam
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+tokay::channel::Interface Foam::couplingSession::describe(const word& name)
+{
+    tokay::channel::Interface message;
+    message.name = name;
+    message.tolerance = residual_.tolerance();
+    message.audit = audit_.active();
+    message.startTime = mesh_.time().startTime().value();
+    message.endTime = mesh_.time().endTime().value();
+    message.deltaT = mesh_.time().deltaTValue();
+    message.retries = step_.retries();
+    interface_.describe(pointDisplacement_, message);
+    return message;
+}
+
+
+void Foam::couplingSession::announce() const
+{
+    if (residual_.isExplicit())
+    {
+        Info<< "    explicit coupling, one coupling iteration per time step"
+            << endl;
+        return;
+    }
+    Info<< "    strong coupling, tolerance " << residual_.tolerance()
+        << endl;
+    pressureTolerance_.announce();
+    predictor_.announce();
+    controlAdvice::report(mesh_, pimple_, UName());
+}
+
+
+void Foam::couplingSession::startStructure
+(
+    const tokay::channel::Interface& message
+)
+{
+    tokay::channel::Accepted accepted(structure_.start(message));
+    fromMaster(accepted.limitsForce);
+    Info<< accepted.report.c_str() << endl;
+    if
+    (
+        !residual_.isExplicit()
+     && !criteria_.controlsMomentum()
+     && !accepted.limitsForce
+    )
+    {
+        controlAdvice::reportNoForce(pimple_, UName());
+        finalCorrector_.watchMomentum();
+    }
+}
+
+
 void Foam::couplingSession::beginTimeStep()
 {
     step_.begin();
@@ -180,37 +232,6 @@ void Foam::couplingSession::audit
 }
 
 
-void Foam::couplingSession::failUnconverged()
-{
-    const stepController::statistics& current = step_.current();
-    OStringStream os;
-    os  << "time " << mesh_.time().timeName() << " s did not converge in "
-        << corrector_ << " outer correctors: "
-        << criteria_.describe
-           (
-               current.residual,
-               residual_.tolerance(),
-               current.converged
-           ).c_str();
-    step_.failUnconverged(os.str(), criteria_.remedy(current.converged));
-}
-
-
-bool Foam::couplingSession::ranOut() const
-{
-    if (residual_.isExplicit())
-    {
-        return false;
-    }
-    return
-        !step_.current().converged
-     || (
-            corrector_ == pimple_.nCorrPIMPLE()
-         && !criteria_.fluidConverged()
-        );
-}
-
-
 void Foam::couplingSession::requireMotionInLoop()
 {
     if (residual_.isExplicit() || pimple_.corr() > 0)
@@ -240,70 +261,24 @@ void Foam::couplingSession::requireFollowing()
 }
 
 
-void Foam::couplingSession::reportUnlimited()
-{
-    // A hundred times the usual tolerance
-    constexpr scalar limit = 0.01;
-
-    const scalar residual = step_.current().fluidResidual;
-    if (isUnlimited_ && residual > limit)
-    {
-        isUnlimited_ = false;
-        WarningInFunction
-            << "the time step ending at " << mesh_.time().timeName()
-            << " s is accepted with a momentum residual of " << residual
-            << ", which residualControl does not limit" << endl;
-    }
-}
-
-
-void Foam::couplingSession::endWithoutAcceptance()
-{
-    step_.current().converged = false;
-    if (corrector_ < pimple_.nCorrPIMPLE())
-    {
-        residual_.reopenLoop(step_.current().residual);
-        return;
-    }
-    failUnconverged();
-    if (!step_.hasFailed())
-    {
-        iterate(true, false);
-    }
-}
-
-
 void Foam::couplingSession::endFinalCorrector()
 {
-    bool ifConverged = !residual_.isExplicit();
-    if (!step_.hasFailed() && ranOut())
+    finalCorrector_.end
+    (
+        corrector_,
+        [this](const bool ifConverged)
+        {
+            requireFollowing();
+            iterate(true, ifConverged);
+        }
+    );
+    if (step_.isAccepted())
     {
-        failUnconverged();
-        ifConverged = false;
-    }
-    if (!step_.hasFailed())
-    {
-        requireFollowing();
-        iterate(true, ifConverged);
-    }
-    if (!step_.hasFailed() && !step_.isAccepted())
-    {
-        endWithoutAcceptance();
-    }
-    if (step_.hasFailed())
-    {
-        step_.reject();
-        return;
-    }
-    if (!step_.isAccepted())
-    {
-        return;   // the loop goes on
-    }
-    enclosed_.report();
-    reportUnlimited();
-    if (!isAttached_)
-    {
-        endTimeStep();
+        enclosed_.report();
+        if (!isAttached_)
+        {
+            endTimeStep();
+        }
     }
 }
 
@@ -387,8 +362,8 @@ Foam::couplingSession::couplingSession
     tables_(name, mesh, dict),
     isAttached_(true),
     hasEnded_(false),
-    isUnlimited_(false),
     step_(dict, mesh, structure_),
+    finalCorrector_(mesh.time(), pimple_, residual_, criteria_, step_),
     structure_(dict, mesh.time()),
     invertedCells_
     (
@@ -400,42 +375,10 @@ Foam::couplingSession::couplingSession
     coupledCorrector_(0)
 {
     restartFiles::check(mesh, pointDisplacement_, patches(), dict);
-
-    tokay::channel::Interface message;
-    message.name = name;
-    message.tolerance = residual_.tolerance();
-    message.audit = audit_.active();
-    message.startTime = mesh.time().startTime().value();
-    message.endTime = mesh.time().endTime().value();
-    message.deltaT = mesh.time().deltaTValue();
-    message.retries = step_.retries();
-    interface_.describe(pointDisplacement_, message);
-
+    const tokay::channel::Interface message(describe(name));
     force_.reportAbsolute(patches(), dict);
-    if (residual_.isExplicit())
-    {
-        Info<< "    explicit coupling, one coupling iteration per time step"
-            << endl;
-    }
-    else
-    {
-        Info<< "    strong coupling, tolerance " << residual_.tolerance()
-            << endl;
-        pressureTolerance_.announce();
-        predictor_.announce();
-        controlAdvice::report(mesh, pimple_, UName());
-    }
-    tokay::channel::Accepted accepted(structure_.start(message));
-    fromMaster(accepted.limitsForce);
-    Info<< accepted.report.c_str() << endl;
-    isUnlimited_ =
-        !residual_.isExplicit()
-     && !criteria_.controlsMomentum()
-     && !accepted.limitsForce;
-    if (isUnlimited_)
-    {
-        controlAdvice::reportNoForce(pimple_, UName());
-    }
+    announce();
+    startStructure(message);
 }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "enclosedFluid.H"
 #include "basicThermo.H"
+#include "dictionaryChecks.H"
 #include "inletOutletFvPatchFields.H"
 #include "StringStream.H"
 #include "Time.H"
@@ -120,7 +121,7 @@ Foam::enclosedFluid::enclosedFluid
     volume_(gSum(mesh.V().field()))
 {
     const choice chosen =
-        choiceNames.getOrDefault("enclosedFluid", dict, choice::refuse);
+        readChoice("enclosedFluid", dict, choiceNames, choice::refuse);
     if (!isEnclosed_)
     {
         return;

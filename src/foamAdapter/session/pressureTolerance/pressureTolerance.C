@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pressureTolerance.H"
+#include "dictionaryChecks.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -23,29 +24,6 @@ constexpr Foam::scalar relaxedRelTol = 0.1;
 } // End anonymous namespace
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Foam::pressureTolerance::choice Foam::pressureTolerance::readChoice
-(
-    const dictionary& dict
-)
-{
-    const word name
-    (
-        dict.getOrDefault<word>
-        (
-            "pressureTolerance", choiceNames[choice::relaxed]
-        )
-    );
-    if (!choiceNames.found(name))
-    {
-        FatalIOErrorInFunction(dict)
-            << "pressureTolerance: " << name << "; allowed: "
-            << choiceNames[choice::fixed] << ", "
-            << choiceNames[choice::relaxed] << exit(FatalIOError);
-    }
-    return choiceNames[name];
-}
-
 
 Foam::dictionary* Foam::pressureTolerance::solvers(const word& name) const
 {
@@ -112,7 +90,10 @@ Foam::pressureTolerance::pressureTolerance
 )
 :
     mesh_(mesh),
-    choice_(readChoice(dict))
+    choice_
+    (
+        readChoice("pressureTolerance", dict, choiceNames, choice::relaxed)
+    )
 {}
 
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stepController.H"
+#include "dictionaryChecks.H"
 #include "Time.H"
 
 #include <chrono>
@@ -27,9 +28,9 @@ Foam::stepController::stepController
     structure_(structure),
     onUnconverged_
     (
-        unconvergedNames.getOrDefault
+        readChoice
         (
-            "onUnconverged", dict, unconverged::abort
+            "onUnconverged", dict, unconvergedNames, unconverged::abort
         )
     ),
     retry_

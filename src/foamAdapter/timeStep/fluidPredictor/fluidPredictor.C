@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fluidPredictor.H"
+#include "dictionaryChecks.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -21,6 +22,21 @@ using namespace Foam;
 word solvedPressure(const fvMesh& mesh, const word& pName)
 {
     return mesh.foundObject<volScalarField>("p_rgh") ? word("p_rgh") : pName;
+}
+
+
+//- Whether there are fractions of volume. They jump, and with them what would
+//  be extrapolated
+bool hasPhases(const fvMesh& mesh)
+{
+    for (const word& name : mesh.names<volScalarField>())
+    {
+        if (name.starts_with("alpha."))
+        {
+            return true;
+        }
+    }
+    return false;
 }
 
 
@@ -58,37 +74,6 @@ void extrapolate
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Foam::fluidPredictor::choice Foam::fluidPredictor::readChoice
-(
-    const dictionary& dict,
-    const fvMesh& mesh
-)
-{
-    // A fraction of volume jumps, and with it what is extrapolated
-    bool hasPhases = false;
-    for (const word& name : mesh.names<volScalarField>())
-    {
-        hasPhases = hasPhases || name.starts_with("alpha.");
-    }
-    const word name
-    (
-        dict.getOrDefault<word>
-        (
-            "fluidPredictor",
-            choiceNames[hasPhases ? choice::none : choice::linear]
-        )
-    );
-    if (!choiceNames.found(name))
-    {
-        FatalIOErrorInFunction(dict)
-            << "fluidPredictor: " << name << "; allowed: "
-            << choiceNames[choice::none] << ", "
-            << choiceNames[choice::linear] << exit(FatalIOError);
-    }
-    return choiceNames[name];
-}
-
 
 Foam::IOobject Foam::fluidPredictor::previousOf(const word& name) const
 {
@@ -174,7 +159,18 @@ Foam::fluidPredictor::fluidPredictor
 )
 :
     mesh_(mesh),
-    choice_(strong ? readChoice(dict, mesh) : choice::none),
+    choice_
+    (
+        !strong
+      ? choice::none
+      : readChoice
+        (
+            "fluidPredictor",
+            dict,
+            choiceNames,
+            hasPhases(mesh) ? choice::none : choice::linear
+        )
+    ),
     pName_(solvedPressure(mesh, pName)),
     UName_(UName)
 {
