@@ -3,6 +3,7 @@
 
 #include "common/errors.hpp"
 #include "igaStructure/assembly/ElementTangent.hpp"
+#include "igaStructure/kinematics/shell/ShellParts.hpp"
 #include "igaStructure/kinematics/shell/element/MembraneSection.hpp"
 #include "igaStructure/kinematics/shell/element/NeoHookeanSection.hpp"
 #include "igaStructure/kinematics/shell/loads/followerPotential.hpp"
@@ -74,8 +75,7 @@ Shell::Shell(ShellDescription description)
     }
     buildPatches();
     sweep_ = std::make_unique<ElementRows>(patches_);
-    constraints_ = shellConstraints(description_, patches_, nodes_.count());
-    buildExtension();
+    supports_ = std::make_unique<ShellSupports>(description_, patches_, nodes_);
     buildPattern();
     deadLoads_ = std::make_unique<DeadLoads>(description_.loads, description_.model, patches_,
                                              *sweep_, nUnknowns());
@@ -115,21 +115,6 @@ void Shell::buildPatches() {
     }
 }
 
-void Shell::buildExtension() {
-    if (constraints_.trimmedSupports.empty()) {
-        return;
-    }
-    extension_ = std::make_unique<DirichletExtension>(
-        description_, patches_, constraints_.trimmedSupports, constraints_.fixed);
-    for (const int unknown : extension_->dependents()) {
-        constraints_.fixed[unknown] = true;
-    }
-    for (const TracePoint& point : extension_->trace()) {
-        extension_->own(point, constraints_.owners);
-    }
-    lastIterate_ = VectorXd::Zero(nUnknowns());
-}
-
 void Shell::buildPattern() {
     std::vector<std::vector<int>> neighbours(nodes_.count());
     // Repetitions are removed each time that a list is full.
@@ -153,7 +138,7 @@ void Shell::buildPattern() {
             }
         }
     }
-    for (const auto& coupling : constraints_.couplings) {
+    for (const auto& coupling : constraints().couplings) {
         connect(coupling->nodes());
     }
     pattern_ = std::make_unique<NodePattern>(3, std::move(neighbours));
@@ -282,7 +267,7 @@ void Shell::visitElement(ShellElement& element, int row, const Evaluation& evalu
 
 void Shell::addCouplings(const VectorXd& displacement, SparseMatrix* tangent, VectorXd& force,
                          double& energy) const {
-    for (const auto& coupling : constraints_.couplings) {
+    for (const auto& coupling : constraints().couplings) {
         const EdgeCoupling::Answer answer =
             coupling->answer(displacement, description_.strains, tangent);
         for (std::size_t k = 0; k < coupling->nodes().size(); ++k) {
@@ -294,72 +279,6 @@ void Shell::addCouplings(const VectorXd& displacement, SparseMatrix* tangent, Ve
         }
         energy += answer.energy;
     }
-}
-
-// Of each coupling, those that no support moves included.
-const std::vector<EdgeCoupling::Shift>& Shell::couplingShifts(double time) const {
-    return latestShifts_.at(time, [&] {
-        std::vector<EdgeCoupling::Shift> shifts(constraints_.couplings.size());
-        for (const auto& [coupling, motion] : constraints_.moved) {
-            shifts[coupling] = constraints_.couplings[coupling]->shift(*motion, time);
-        }
-        return shifts;
-    });
-}
-
-StructuralModel::SupportShift Shell::supportShift(double time) const {
-    SupportShift sum;
-    if (constraints_.moved.empty()) {
-        return sum;
-    }
-    sum.force = VectorXd::Zero(nUnknowns());
-    const std::vector<EdgeCoupling::Shift>& shifts = couplingShifts(time);
-    for (const ShellConstraints::Moved& moved : constraints_.moved) {
-        const EdgeCoupling::Shift& own = shifts[moved.coupling];
-        const std::vector<int>& nodes = constraints_.couplings[moved.coupling]->nodes();
-        for (std::size_t k = 0; own.force.size() > 0 && k < nodes.size(); ++k) {
-            sum.force.segment<3>(3 * nodes[k]) +=
-                own.force.segment<3>(3 * static_cast<Eigen::Index>(k));
-        }
-        sum.energy += own.energy;
-        sum.largest = std::max(sum.largest, own.largest);
-    }
-    return sum;
-}
-
-std::vector<std::string> Shell::supportNames() const {
-    std::vector<std::string> names;
-    for (const EdgeSupport& support : description_.edgeSupports) {
-        names.push_back(support.name);
-    }
-    for (const PointSupport& support : description_.pointSupports) {
-        names.push_back(support.name);
-    }
-    return names;
-}
-
-std::vector<SupportLoad> Shell::supportLoads(const VectorXd& displacement, const VectorXd& reaction,
-                                             double time) const {
-    std::vector<SupportLoad> loads(description_.edgeSupports.size() +
-                                   description_.pointSupports.size());
-    const geometry::Points positions =
-        isLinear() ? nodes_.positions : moved(nodes_.positions, 3, displacement);
-    addForces(constraints_.owners, positions, 3, reaction, loads);
-    const std::vector<EdgeCoupling::Shift>& shifts = couplingShifts(time);
-    for (std::size_t k = 0; k < shifts.size(); ++k) {
-        if (constraints_.couplingOwners[k] < 0) {
-            continue;
-        }
-        const EdgeCoupling& coupling = *constraints_.couplings[k];
-        VectorXd force = coupling.answer(displacement, description_.strains, false).force;
-        force += shifts[k].force.size() > 0 ? shifts[k].force : VectorXd::Zero(force.size());
-        for (std::size_t node = 0; node < coupling.nodes().size(); ++node) {
-            loads[constraints_.couplingOwners[k]].add(
-                positions.row(coupling.nodes()[node]),
-                -force.segment<3>(3 * static_cast<Eigen::Index>(node)));
-        }
-    }
-    return loads;
 }
 
 StructuralModel::Internal Shell::evaluate(const Evaluation& evaluation, double& energy) const {
@@ -406,37 +325,6 @@ double Shell::strainEnergy(const VectorXd& displacement) const {
     return energy;
 }
 
-VectorXd Shell::prescribed(double time) const {
-    VectorXd values = constraints_.trace.isEmpty() ? VectorXd(VectorXd::Zero(nUnknowns()))
-                                                   : constraints_.trace.at(time);
-    if (extension_) {
-        values += extension_->values(time, extension_->isClosed() ? values : lastIterate_);
-    }
-    return values;
-}
-
-bool Shell::settlePrescribed(const VectorXd& displacement) {
-    if (!extension_ || extension_->isClosed()) {
-        return true;
-    }
-    const double change = (displacement - lastIterate_).norm();
-    const double size = lastIterate_.norm();
-    lastIterate_ = displacement;
-    ++nIterates_;
-    if (change <= description_.egm.tolerance * size || change == 0) {
-        nIterates_ = 0;
-        return true;
-    }
-    if (nIterates_ >= description_.egm.maxIterations) {
-        nIterates_ = 0;
-        throw SolverError(fmt::format("the extended gradient method did not converge in {} "
-                                      "iterations: its last one changed the displacement by {:.2g} "
-                                      "of itself; take egm.form closed, or other elements",
-                                      description_.egm.maxIterations, change / size));
-    }
-    return false;
-}
-
 const VectorXd& Shell::externalForce(double time) {
     externalForce_ = deadLoads_->at(time);
     if (isLinear()) {
@@ -459,42 +347,11 @@ void Shell::subtractFollowerDerivative(const VectorXd& displacement, double time
 }
 
 std::vector<std::string> Shell::freeRigidMotions() const {
-    const std::vector<ShellPart> parts = shellParts(description_.model);
-    if (parts.size() == 1) {
-        return structure::freeRigidMotions(nodes_.positions, constraints_, nodesOf(parts[0]));
-    }
-    std::vector<std::string> all;
-    for (const ShellPart& part : parts) {
-        for (const std::string& motion :
-             structure::freeRigidMotions(nodes_.positions, constraints_, nodesOf(part))) {
-            all.push_back(fmt::format("{} of {}", motion, part.name));
-        }
-    }
-    return all;
+    return structure::freeRigidMotions(description_, nodes_, constraints());
 }
 
 std::vector<std::string> Shell::looseParts() const {
-    const std::vector<ShellPart> parts = shellParts(description_.model);
-    std::vector<std::string> loose;
-    for (const ShellPart& part : parts) {
-        const std::size_t allRigidMotions = description_.isPlane ? 3 : 6;
-        if (parts.size() > 1 &&
-            structure::freeRigidMotions(nodes_.positions, constraints_, nodesOf(part)).size() ==
-                allRigidMotions) {
-            loose.push_back(part.name);
-        }
-    }
-    return loose;
-}
-
-std::vector<int> Shell::nodesOf(const ShellPart& part) const {
-    std::vector<int> nodes;
-    for (const int face : part.faces) {
-        nodes.insert(nodes.end(), nodes_.ofFace[face].begin(), nodes_.ofFace[face].end());
-    }
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    return nodes;
+    return structure::looseParts(description_, nodes_, constraints());
 }
 
 namespace {

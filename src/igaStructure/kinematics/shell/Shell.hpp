@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "common/LatestValue.hpp"
 #include "igaStructure/assembly/NodePattern.hpp"
 #include "igaStructure/assembly/StructuralModel.hpp"
-#include "igaStructure/kinematics/shell/edges/ShellConstraints.hpp"
-#include "igaStructure/kinematics/shell/egm/DirichletExtension.hpp"
+#include "igaStructure/kinematics/shell/ShellSupports.hpp"
 #include "igaStructure/kinematics/shell/element/ElementRows.hpp"
 #include "igaStructure/kinematics/shell/element/ShellDescription.hpp"
 #include "igaStructure/kinematics/shell/element/ShellNodes.hpp"
@@ -57,21 +55,24 @@ class Shell : public StructuralModel {
     void subtractFollowerDerivative(const Eigen::VectorXd& displacement, double time,
                                     SparseMatrix& tangent) const override;
     bool hasSymmetricTangent() const override { return hasSymmetricTangent_; }
-    const std::vector<bool>& fixed() const override { return constraints_.fixed; }
-    bool hasPrescribedMotion() const override {
-        return !constraints_.trace.isEmpty() || (extension_ && extension_->hasData());
-    }
-    Eigen::VectorXd prescribed(double time) const override;
+    const std::vector<bool>& fixed() const override { return constraints().fixed; }
+    bool hasPrescribedMotion() const override { return supports_->hasPrescribedMotion(); }
+    Eigen::VectorXd prescribed(double time) const override { return supports_->prescribed(time); }
     const SparseMatrix* extension() const override {
-        return extension_ && extension_->isClosed() ? &extension_->matrix() : nullptr;
+        const DirichletExtension* own = dirichletExtension();
+        return own && own->isClosed() ? &own->matrix() : nullptr;
     }
-    bool hasDependents() const override { return extension_ != nullptr; }
-    bool settlePrescribed(const Eigen::VectorXd& displacement) override;
-    SupportShift supportShift(double time) const override;
-    std::vector<std::string> supportNames() const override;
+    bool hasDependents() const override { return dirichletExtension() != nullptr; }
+    bool settlePrescribed(const Eigen::VectorXd& displacement) override {
+        return supports_->settle(displacement);
+    }
+    SupportShift supportShift(double time) const override { return supports_->shift(time); }
+    std::vector<std::string> supportNames() const override { return supports_->names(); }
     std::vector<SupportLoad> supportLoads(const Eigen::VectorXd& displacement,
                                           const Eigen::VectorXd& reaction,
-                                          double time) const override;
+                                          double time) const override {
+        return supports_->loads(displacement, reaction, time);
+    }
     std::vector<std::string> freeRigidMotions() const override;
     std::vector<std::string> looseParts() const override;
     double size() const override { return description_.model.size(); }
@@ -80,9 +81,9 @@ class Shell : public StructuralModel {
     const geometry::BrepModel& model() const { return description_.model; }
     const ShellNodes& nodes() const { return nodes_; }
     const ShellPatches& patches() const { return patches_; }
-    const ShellConstraints& constraints() const { return constraints_; }
+    const ShellConstraints& constraints() const { return supports_->constraints(); }
     /// Of supports on trimming curves by EdgeMethod::egm; none: there are none.
-    const DirichletExtension* dirichletExtension() const { return extension_.get(); }
+    const DirichletExtension* dirichletExtension() const { return supports_->extension(); }
 
     /// Sets the number of threads of assembly; by default as many as are available and pay. The
     /// result is the same for any number.
@@ -99,14 +100,11 @@ class Shell : public StructuralModel {
     ShellState stateAt(int face, double xi, double eta, const Eigen::VectorXd& displacement) const;
 
   private:
-    const std::vector<EdgeCoupling::Shift>& couplingShifts(double time) const;
-    std::vector<int> nodesOf(const ShellPart& part) const;
     struct Workspace;
     struct Totals;
     struct Evaluation;
     struct PointAnswer;
     void buildPatches();
-    void buildExtension();
     void buildPattern();
     PointAnswer linearAnswer(const ShellElement& element,
                              const SurfaceDerivatives& displacement) const;
@@ -124,11 +122,7 @@ class Shell : public StructuralModel {
     ShellNodes nodes_;
     ShellPatches patches_;
     std::unique_ptr<ElementRows> sweep_;
-    ShellConstraints constraints_;
-    mutable LatestValue<std::vector<EdgeCoupling::Shift>> latestShifts_; ///< of couplings
-    std::unique_ptr<DirichletExtension> extension_;
-    Eigen::VectorXd lastIterate_; ///< that prescribed motion follows in the iterated form
-    int nIterates_ = 0;
+    std::unique_ptr<ShellSupports> supports_;
     std::unique_ptr<NodePattern> pattern_;
     std::unique_ptr<DeadLoads> deadLoads_;
     std::unique_ptr<FollowerLoads> followerLoads_;

@@ -2,19 +2,13 @@
 #include "igaStructure/kinematics/shell/edges/ShellConstraints.hpp"
 
 #include "common/errors.hpp"
-#include "igaStructure/assembly/RigidMotions.hpp"
 #include "igaStructure/kinematics/curvePoints.hpp"
 #include "igaStructure/kinematics/shell/edges/GhostStabilisation.hpp"
-#include "igaStructure/kinematics/shell/edges/MultiplierCoupling.hpp"
-#include "igaStructure/kinematics/shell/edges/NitscheCoupling.hpp"
-
-#include <fmt/format.h>
+#include "igaStructure/kinematics/shell/edges/WeakConstraints.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <set>
 
@@ -58,17 +52,10 @@ std::optional<int> normalAxis(const std::vector<EdgePoint>& points) {
     return std::nullopt;
 }
 
-// Of a patch.
-struct SideStiffness {
-    double membrane; ///< E t / (1 - nu^2) [N/m]
-    double bending;  ///< E t^3 / 12 / (1 - nu^2) [N m]; 0: a membrane
-};
-
 class ConstraintsBuilder {
   public:
     ConstraintsBuilder(const ShellDescription& description, const ShellPatches& patches, int nNodes)
-        : description_(description), method_(description.weakEdgeMethod()), patches_(patches) {
-        requirePossible();
+        : description_(description), patches_(patches), weak_(description) {
         atRest_.assign(3 * nNodes, false);
         for (int node = 0; description.isPlane && node < nNodes; ++node) {
             atRest_[3 * node + 2] = true;
@@ -94,7 +81,7 @@ class ConstraintsBuilder {
             }
         }
         for (std::size_t face = 0; face < patches_.size() && description_.bending; ++face) {
-            holdCreases(static_cast<int>(face));
+            weak_.holdCreases(*patches_[face], static_cast<int>(face), constraints_.couplings);
         }
         addGhostStabilisations();
         constraints_.supported = atRest_;
@@ -112,32 +99,6 @@ class ConstraintsBuilder {
     const ShellPatch& patchOf(const geometry::BrepTrim& trim) const { return *patches_[trim.face]; }
     const geometry::NurbsCurve& curveOf(const geometry::BrepTrim& trim) const {
         return description_.model.curve(trim.face, trim.curve);
-    }
-    SideStiffness stiffness(int face) const {
-        const double t = description_.thickness[face];
-        const double membrane = description_.materialOf(face).planeStressModulus() * t;
-        return {membrane, description_.bending ? membrane * t * t / 12 : 0};
-    }
-    double factor(EdgeMethod method) const {
-        const double usual = method == EdgeMethod::penalty    ? 1e3
-                             : method == EdgeMethod::lagrange ? 1e6
-                                                              : 1;
-        return method_ == method ? description_.penalty.value_or(usual) : usual;
-    }
-
-    void requirePossible() const {
-        if (method_ != EdgeMethod::nitsche) {
-            return;
-        }
-        if (description_.strains == Strains::nonlinear) {
-            throw InputError("edgeMethod nitsche is for linear strains; with nonlinear ones take "
-                             "lagrange or penalty");
-        }
-        if (description_.bending && description_.material.law != MaterialLaw::stVenantKirchhoff) {
-            throw InputError("edgeMethod nitsche needs the material StVenantKirchhoff for a shell "
-                             "that bends (with linear strains all materials are the same); or "
-                             "take lagrange or penalty");
-        }
     }
 
     // What has been held since the last support is this one's.
@@ -222,8 +183,8 @@ class ConstraintsBuilder {
             follow(patch, points, support.fixed, support.motion, rowsAt(patch, *side), clampedAxis);
         }
         const std::size_t first = constraints_.couplings.size();
-        holdWeakly(points, exact ? std::array<bool, 3>{} : support.fixed, clamped,
-                   {trim.face, trim.face}, trims);
+        weak_.holdEdge(points, exact ? std::array<bool, 3>{} : support.fixed, clamped,
+                       {trim.face, trim.face}, trims, constraints_.couplings);
         if (!exact) {
             move(first, support.motion);
         }
@@ -254,7 +215,7 @@ class ConstraintsBuilder {
             }
         }
         if (support.clamped && description_.bending && !deflection) {
-            holdWeakly(points, {}, true, {trim.face, trim.face}, true);
+            weak_.holdEdge(points, {}, true, {trim.face, trim.face}, true, constraints_.couplings);
         }
     }
 
@@ -314,10 +275,7 @@ class ConstraintsBuilder {
         }
         if (!interpolates) {
             const std::size_t first = constraints_.couplings.size();
-            constraints_.couplings.push_back(std::make_unique<DisplacementPenalty>(
-                place, nullptr, support.fixed,
-                factor(EdgeMethod::penalty) * stiffness(support.face).membrane *
-                    Eigen::Matrix3d::Identity()));
+            weak_.holdPoint(place, support.fixed, support.face, constraints_.couplings);
             move(first, support.motion);
         }
     }
@@ -329,21 +287,9 @@ class ConstraintsBuilder {
             edgePoints(patchOf(first), curveOf(first), patchOf(second), curveOf(second), gap);
         const bool trims = first.curve < nTrimmingCurves(patchOf(first).patch()) &&
                            second.curve < nTrimmingCurves(patchOf(second).patch());
-        holdWeakly(points, {true, true, true}, description_.bending, {first.face, second.face},
-                   trims);
+        weak_.holdEdge(points, {true, true, true}, description_.bending, {first.face, second.face},
+                       trims, constraints_.couplings);
         ++constraints_.nJoints;
-    }
-
-    // Both sides have the same functions along a crease, so springs at its points ask
-    // for no more than these can do.
-    void holdCreases(int face) {
-        const std::vector<EdgePoint> points = creasePoints(*patches_[face]);
-        const SideStiffness own = stiffness(face);
-        if (method_ == EdgeMethod::nitsche) {
-            append(nitscheCouplings(points, {}, true, true, factor(EdgeMethod::nitsche)));
-        } else {
-            addPenalties(points, {}, true, {factor(method_), own.membrane, own.bending});
-        }
     }
 
     static int nTrimmingCurves(const geometry::TrimmedPatch& patch) {
@@ -354,80 +300,17 @@ class ConstraintsBuilder {
         return static_cast<int>(count);
     }
 
-    // Across an edge inside of a patch tractions jump, so Nitsche's method has none to
-    // take there.
-    void holdWeakly(const std::vector<EdgePoint>& points, const std::array<bool, 3>& components,
-                    bool rotation, const std::array<int, 2>& faces, bool trims) {
-        const bool nothing = components == std::array<bool, 3>{} && !rotation;
-        if (points.empty() || nothing) {
-            return;
-        }
-        const std::array<SideStiffness, 2> sides = {stiffness(faces[0]), stiffness(faces[1])};
-        // The softer patch decides: springs are stiff enough for it, and no stiffer.
-        const SideStiffness& softer = sides[sides[1].membrane < sides[0].membrane ? 1 : 0];
-        if (method_ == EdgeMethod::penalty) {
-            addPenalties(points, components, rotation,
-                         {factor(EdgeMethod::penalty), softer.membrane, softer.bending});
-        } else if (method_ == EdgeMethod::nitsche && trims) {
-            append(nitscheCouplings(points, components, rotation, description_.bending,
-                                    factor(EdgeMethod::nitsche)));
-        } else {
-            append(multiplierCouplings(
-                points, components, rotation,
-                {factor(EdgeMethod::lagrange), softer.membrane, softer.bending}));
-            addTraceSprings(points, components, softer);
-        }
-    }
-
-    void addPenalties(const std::vector<EdgePoint>& points, const std::array<bool, 3>& components,
-                      bool rotation, const PenaltyStiffness& stiffness) {
-        for (const EdgePoint& point : points) {
-            const PatchLocation* other = point.other ? &*point.other : nullptr;
-            if (components != std::array<bool, 3>{}) {
-                constraints_.couplings.push_back(std::make_unique<DisplacementPenalty>(
-                    point.side, other, components,
-                    point.weight * stiffness.ofAnyDisplacement(point) *
-                        Eigen::Matrix3d::Identity()));
-            }
-            if (rotation) {
-                constraints_.couplings.push_back(std::make_unique<RotationPenalty>(
-                    point.side, other, point.weight * stiffness.ofRotation(point)));
-            }
-        }
-    }
-
-    // What multipliers do not see of a trace: they hold its moments with fewer functions than
-    // it has. Springs as stiff as some elements hold that too, and ask for nothing that the
-    // solution does not fulfil; across the surface they scale with its bending, so a thin
-    // shell does not lock.
-    void addTraceSprings(const std::vector<EdgePoint>& points,
-                         const std::array<bool, 3>& components, const SideStiffness& side) {
-        if (components == std::array<bool, 3>{}) {
-            return;
-        }
-        constexpr double elements = 10; // benchmarks/shells: from 100 on a coarse mesh locks
-        const PenaltyStiffness springs = {elements, side.membrane, side.bending};
-        for (const EdgePoint& point : points) {
-            constraints_.couplings.push_back(std::make_unique<DisplacementPenalty>(
-                point.side, point.other ? &*point.other : nullptr, components,
-                point.weight * springs.ofDisplacement(point)));
-        }
-    }
-
     void addGhostStabilisations() {
         for (std::size_t face = 0; face < patches_.size(); ++face) {
             if (description_.sliverTreatment == SliverTreatment::extension) {
-                const SideStiffness own = stiffness(static_cast<int>(face));
+                const WeakConstraints::Stiffness own = weak_.stiffness(static_cast<int>(face));
                 const auto isTied = [&](int element) {
                     return extended_.count({static_cast<int>(face), element}) == 0;
                 };
-                append(ghostStabilisations(*patches_[face], own.membrane, own.bending, isTied));
+                append(ghostStabilisations(*patches_[face], own.membrane, own.bending, isTied),
+                       constraints_.couplings);
             }
         }
-    }
-
-    void append(std::vector<std::unique_ptr<EdgeCoupling>> couplings) {
-        std::move(couplings.begin(), couplings.end(), std::back_inserter(constraints_.couplings));
     }
 
     void fixNodesWithoutBody() {
@@ -445,8 +328,8 @@ class ConstraintsBuilder {
     }
 
     const ShellDescription& description_;
-    const EdgeMethod method_;
     const ShellPatches& patches_;
+    const WeakConstraints weak_;
     /// Elements (face, number) none of whose functions equilibrium decides.
     std::set<std::pair<int, int>> extended_;
     ShellConstraints constraints_;
@@ -460,92 +343,6 @@ class ConstraintsBuilder {
 ShellConstraints shellConstraints(const ShellDescription& description, const ShellPatches& patches,
                                   int nNodes) {
     return ConstraintsBuilder(description, patches, nNodes).build();
-}
-
-namespace {
-
-// What the support of an edge holds, if it belongs to a part of the shell.
-void holdEdge(const TrimmedSupport& support, const std::vector<int>& nodes, RigidMotions& motions) {
-    for (const EdgePoint& point : support.points) {
-        const PatchLocation& at = point.side;
-        if (!std::binary_search(nodes.begin(), nodes.end(), at.nodes.front())) {
-            continue;
-        }
-        for (int c = 0; c < 3; ++c) {
-            if (support.fixed[c]) {
-                motions.holdPoint(at.position, Eigen::Vector3d::Unit(c));
-            }
-        }
-        if (support.clamped) {
-            motions.holdRotation((at.baseVectors * at.tangent).normalized());
-        }
-    }
-}
-
-} // namespace
-
-std::vector<std::string> freeRigidMotions(const geometry::Points& positions,
-                                          const ShellConstraints& constraints,
-                                          const std::vector<int>& nodes) {
-    RigidMotions motions(positions(nodes, Eigen::all));
-    for (const int node : nodes) {
-        for (int c = 0; c < 3; ++c) {
-            if (constraints.supported[3 * static_cast<std::size_t>(node) + c]) {
-                motions.hold(motions.at(positions.row(node)).row(c));
-            }
-        }
-    }
-    for (const auto& coupling : constraints.couplings) {
-        if (!std::binary_search(nodes.begin(), nodes.end(), coupling->nodes().front())) {
-            continue;
-        }
-        const Eigen::MatrixXd rows = coupling->restRows();
-        Eigen::MatrixXd own(rows.cols(), 6);
-        for (std::size_t k = 0; k < coupling->nodes().size(); ++k) {
-            own.middleRows<3>(3 * static_cast<Eigen::Index>(k)) =
-                motions.at(positions.row(coupling->nodes()[k]));
-        }
-        motions.hold(rows * own / std::sqrt(1e-300 + rows.squaredNorm()));
-    }
-    for (const TrimmedSupport& support : constraints.trimmedSupports) {
-        holdEdge(support, nodes, motions);
-    }
-    return motions.freeOnes();
-}
-
-std::vector<ShellPart> shellParts(const geometry::BrepModel& model) {
-    std::vector<int> first(model.faces().size()); // face of the part
-    std::iota(first.begin(), first.end(), 0);
-    for (const geometry::BrepEdge& edge : model.edges()) {
-        for (const geometry::BrepTrim& trim : edge.trims) {
-            const int from = std::max(first[trim.face], first[edge.trims[0].face]);
-            const int to = std::min(first[trim.face], first[edge.trims[0].face]);
-            std::replace(first.begin(), first.end(), from, to);
-        }
-    }
-    std::vector<ShellPart> parts;
-    for (std::size_t k = 0; k < first.size(); ++k) {
-        if (first[k] == static_cast<int>(k)) {
-            parts.emplace_back();
-        }
-    }
-    std::map<int, std::size_t> partOf;
-    for (std::size_t face = 0; face < first.size(); ++face) {
-        const std::size_t part = partOf.try_emplace(first[face], partOf.size()).first->second;
-        parts[part].faces.push_back(static_cast<int>(face));
-    }
-    for (ShellPart& part : parts) {
-        constexpr std::size_t nNamed = 5;
-        std::vector<std::string> names;
-        for (std::size_t k = 0; k < std::min(nNamed, part.faces.size()); ++k) {
-            names.push_back(model.patch(part.faces[k]).name());
-        }
-        part.name = fmt::format(
-            "patch{} {}{}", part.faces.size() == 1 ? "" : "es", fmt::join(names, ", "),
-            part.faces.size() > nNamed ? fmt::format(" and {} more", part.faces.size() - nNamed)
-                                       : "");
-    }
-    return parts;
 }
 
 } // namespace tokay::structure

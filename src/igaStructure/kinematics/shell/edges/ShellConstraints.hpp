@@ -6,7 +6,6 @@
 #include "igaStructure/kinematics/shell/element/ShellDescription.hpp"
 
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace tokay::structure {
@@ -50,19 +49,5 @@ struct ShellConstraints {
 /// @throws InputError if patches that are joined are apart
 ShellConstraints shellConstraints(const ShellDescription& description, const ShellPatches& patches,
                                   int nNodes);
-
-/// Rigid motions that neither fixed unknowns nor couplings prevent, in words.
-/// @param positions  of all nodes [m]
-/// @param nodes      of a part of the shell, ascending
-std::vector<std::string> freeRigidMotions(const geometry::Points& positions,
-                                          const ShellConstraints& constraints,
-                                          const std::vector<int>& nodes);
-
-/// Faces that joints connect.
-struct ShellPart {
-    std::vector<int> faces;
-    std::string name; ///< "patch a", "patches a, b and 3 more"
-};
-std::vector<ShellPart> shellParts(const geometry::BrepModel& model);
 
 } // namespace tokay::structure
