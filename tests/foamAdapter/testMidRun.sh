@@ -139,6 +139,27 @@ fewer()
     expectAllRows
 }
 
+# leaveToPreset: tolerances
+leaveToPreset()
+{
+    removeEntry system/fvSolution PIMPLE.residualControl
+    coupling preset fast
+}
+
+property preset "tolerances that a preset has set stay when fvSolution is read anew"
+preset()
+{
+    startLongRun creeps leaveToPreset
+    edit system/fvSolution setEntry PIMPLE.nOuterCorrectors 40
+    waitForText log.pimpleFoam "nOuterCorrectors is now 40 instead of 50"
+    waitForSteps 3
+    stopRun
+    expectAllRows
+    expectNoText log.pimpleFoam "has been removed; it stays in force"
+    # Without them PIMPLE would run all its outer correctors
+    awk '!/^#/ && $3 > 20 { exit 1 }' postProcessing/structure/0/coupling.dat || fail "a step did not end by its residuals"
+}
+
 property tolerance "the coupling keeps the tolerance of its start"
 tolerance()
 {

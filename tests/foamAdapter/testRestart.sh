@@ -83,6 +83,18 @@ nonlinear()
     expectExact
 }
 
+property preset "so does a run whose entries a preset sets on both sides"
+preset()
+{
+    makeFluid whole
+    removeEntry system/fvSolution PIMPLE.residualControl
+    coupling preset reference
+    flapEntry "predictor: quadratic" "preset: reference"
+    expectExact
+    expectText whole/log.pimpleFoam "preset reference sets residualControl.structure.tolerance"
+    expectText continued/log.pimpleFoam "preset reference sets residualControl.structure.tolerance"
+}
+
 property laplacian "so does a mesh that OpenFOAM's displacementLaplacian moves"
 laplacian()
 {

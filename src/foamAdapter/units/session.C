@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Compiled together, because reading OpenFOAM's headers takes most of the time
+#include "couplingPreset.C"
 #include "pressureTolerance.C"
 #include "couplingResidual.C"
 #include "residualCriteria.C"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/case/readCase.hpp"
 
+#include "common/couplingPresets.hpp"
 #include "common/digest.hpp"
 #include "coupling/couplingMethods.hpp"
 #include "igaStructure/case/kinematicsTypes.hpp"
@@ -67,6 +68,36 @@ std::vector<Alternative> kinematicsNames() {
     return names;
 }
 
+std::vector<Alternative> presetNames() {
+    std::vector<Alternative> names;
+    for (const Choice<std::string>& choice : presetChoices()) {
+        names.push_back({choice.name, choice.meaning, {}});
+    }
+    return names;
+}
+
+/// Adds an entry by its path, "acceleration.type", unless it is there.
+/// @return whether it was added
+bool addIfMissing(const LocatedNode& map, const std::string& path, const std::string& value) {
+    if (!map.node.IsMap()) {
+        return false; // the reader says what is wrong
+    }
+    const std::size_t dot = path.find('.');
+    const std::string first = path.substr(0, dot);
+    YAML::Node node = map.node; // shares the map
+    if (dot == std::string::npos) {
+        const bool isMissing = !map.has(first);
+        if (isMissing) {
+            node[first] = value;
+        }
+        return isMissing;
+    }
+    if (!map.has(first)) {
+        node[first] = YAML::Node(YAML::NodeType::Map);
+    }
+    return addIfMissing(map.child(first), path.substr(dot + 1), value);
+}
+
 /// Reads the root of a case file.
 class CaseReader {
   public:
@@ -77,6 +108,7 @@ class CaseReader {
         const std::unique_ptr<BodyEntries> body = kinematics.makeEntries();
         CommonEntries common;
         setDefaults(kinematics, common, body->coupling());
+        applyPreset(body->coupling());
         readEntries(kinematics, common, *body);
         common.requireValid();
         return make(common, *body);
@@ -112,6 +144,23 @@ class CaseReader {
         if (time.substeps > 1) {
             coupling.options.acceleration.type = "iqnIls";
         }
+    }
+
+    // A preset's entries that the file does not give are added to it.
+    void applyPreset(Coupling& coupling) const {
+        const LocatedNode section = root_.child("coupling");
+        if (!section.node.IsDefined() || !section.has("preset")) {
+            return;
+        }
+        const CouplingPreset& preset =
+            couplingPresets()[readChoice(section.child("preset"), presetNames())];
+        std::vector<PresetEntry> set;
+        for (const PresetEntry& entry : preset.caseFile) {
+            if (addIfMissing(section, entry.name, entry.value)) {
+                set.push_back(entry);
+            }
+        }
+        coupling.presetReport = fmt::format("  {}\n", describePreset(preset.name, set));
     }
 
     void readEntries(const KinematicsType& kinematics, CommonEntries& common, BodyEntries& body) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/kinematics/Coupling.hpp"
 
+#include "common/couplingPresets.hpp"
 #include "coupling/couplingMethods.hpp"
 #include "igaStructure/caseFile/describeSchema.hpp"
 
@@ -59,6 +60,14 @@ const Choices<LoadTransfer>& loadChoices() {
     return choices;
 }
 
+SchemaOf<Coupling> presetSchema() {
+    return {
+        {"preset", &Coupling::preset, presetChoices(),
+         "Named set of defaults: accuracy against cost. Entries that are given win. The fluid's "
+         "function object has a preset of its own.",
+         otherwise("none")}};
+}
+
 SchemaOf<Coupling> mappingSchema(WetParts parts) {
     return {{"type", &Coupling::method, methodChoices(parts), "Mapping of displacements."},
             {"loads", &Coupling::loads, loadChoices(), "Mapping of forces."},
@@ -88,6 +97,18 @@ SchemaOf<Coupling> pairSchema() {
 }
 
 } // namespace
+
+const Choices<std::string>& presetChoices() {
+    static const Choices<std::string> choices = [] {
+        Choices<std::string> all;
+        for (const CouplingPreset& preset : couplingPresets()) {
+            all.emplace_back(preset.name, preset.name,
+                             fmt::format("{} Sets {}.", preset.meaning, listed(preset.caseFile)));
+        }
+        return all;
+    }();
+    return choices;
+}
 
 void requireValid(const Coupling& coupling) {
     for (const auto& [name, isGiven] :
@@ -125,6 +146,7 @@ SchemaOf<Coupling> couplingSchema(WetParts parts) {
         {"mapping", mappingSchema(parts), "Transfer between fluid and structure."}};
     const bool hasEdges = parts == WetParts::edges || parts == WetParts::surface;
     return SchemaOf<Coupling>()
+        .with(presetSchema())
         .with(parts == WetParts::edges     ? wetEdges
               : parts == WetParts::faces   ? wetFaces
               : parts == WetParts::surface ? edges
@@ -144,7 +166,8 @@ std::string describeMethod(const Coupling& coupling) {
                                : fmt::format("\n  {} structural time steps per time step of the "
                                              "fluid, which excludes the acceleration block",
                                              coupling.substeps);
-    return fmt::format("  {}{}\n", describeOptions(coupling::couplingSchema(), &options), substeps);
+    return fmt::format("{}  {}{}\n", coupling.presetReport,
+                       describeOptions(coupling::couplingSchema(), &options), substeps);
 }
 
 } // namespace

@@ -40,6 +40,8 @@ struct Coupling : Located {
     static constexpr double defaultTolerance = 1e-8;
     static constexpr int defaultMaxIterations = 50;
 
+    std::optional<std::string> preset; ///< of couplingPresets()
+    std::string presetReport;          ///< what it has set, for the log
     CouplingSide side = CouplingSide::neumann;
     std::optional<double> tolerance;  ///< of the dirichlet side
     std::optional<int> maxIterations; ///< of the dirichlet side
@@ -81,6 +83,9 @@ struct CouplingEntries : Coupling {
         return schema;
     }
 };
+
+/// Presets as choices of `coupling.preset`.
+const Choices<std::string>& presetChoices();
 
 /// @throws InputError for entries that do not fit each other
 void requireValid(const Coupling& coupling);

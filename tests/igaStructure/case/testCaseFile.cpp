@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "common/couplingPresets.hpp"
 #include "igaStructure/case/kinematicsTypes.hpp"
 #include "igaStructure/exampleCase.hpp"
 
@@ -179,6 +180,65 @@ TEST(CaseFile, entries_that_exclude_each_other_are_reported) {
     EXPECT_THAT(mistake("output:", "coupling:\n  interface: [left]\n  acceleration: {type: aitken, "
                                    "reusedTimeSteps: 3}\noutput:"),
                 HasSubstr("coupling.acceleration: 'reusedTimeSteps' is not an option of aitken"));
+}
+
+namespace {
+
+/// Log of the coupling's options without the line of the preset.
+std::string optionsOf(const std::string& coupling) {
+    std::string text =
+        describeCoupling(*readText(exampleText("output:", coupling + "output:")).coupling);
+    const auto line = text.find("  preset");
+    if (line != std::string::npos) {
+        text.erase(line, text.find('\n', line) + 1 - line);
+    }
+    return text;
+}
+
+/// "  acceleration: {type: block}\n"
+std::string asYaml(const PresetEntry& entry) {
+    const auto dot = entry.name.find('.');
+    return dot == std::string::npos ? "  " + entry.name + ": " + entry.value + "\n"
+                                    : "  " + entry.name.substr(0, dot) + ": {" +
+                                          entry.name.substr(dot + 1) + ": " + entry.value + "}\n";
+}
+
+} // namespace
+
+TEST(CaseFile, preset_is_the_same_as_its_entries) {
+    for (const CouplingPreset& preset : couplingPresets()) {
+        std::string entries;
+        for (const PresetEntry& entry : preset.caseFile) {
+            entries += asYaml(entry);
+        }
+        const std::string coupling = "coupling:\n  interface: [left]\n";
+        const std::string named = coupling + "  preset: " + preset.name + "\n";
+        EXPECT_EQ(optionsOf(named), optionsOf(coupling + entries)) << preset.name;
+        const Case read = readText(exampleText("output:", named + "output:"));
+        EXPECT_THAT(describeCoupling(*read.coupling),
+                    HasSubstr("preset " + preset.name + " sets " + listed(preset.caseFile)));
+    }
+}
+
+TEST(CaseFile, balanced_preset_is_the_default_but_for_the_predictor) {
+    const std::string coupling = "coupling:\n  interface: [left]\n";
+    EXPECT_EQ(optionsOf(coupling + "  preset: balanced\n  predictor: linear\n"),
+              optionsOf(coupling));
+}
+
+TEST(CaseFile, entry_that_is_given_wins_over_the_preset) {
+    const std::string coupling = "coupling:\n  interface: [left]\n  preset: reference\n";
+    const Case read = readText(exampleText("output:", coupling + "  predictor: constant\noutput:"));
+    EXPECT_EQ(read.coupling->options.predictor, coupling::Extrapolation::constant);
+    EXPECT_THAT(describeCoupling(*read.coupling), Not(HasSubstr("sets predictor")));
+}
+
+TEST(CaseFile, preset_that_is_none_is_reported_with_its_place) {
+    EXPECT_THAT(mistake("output:", "coupling:\n  interface: [left]\n  preset: quick\noutput:"),
+                AllOf(HasSubstr("case.yaml:23:11: coupling.preset: 'quick' is not allowed"),
+                      HasSubstr("allowed: fast, balanced, reference")));
+    EXPECT_THAT(mistake("output:", "coupling:\n  interface: [left]\n  preset: [fast]\noutput:"),
+                HasSubstr("coupling.preset: must be one of: fast, balanced, reference"));
 }
 
 TEST(CaseFile, substeps_do_not_go_with_the_block_method) {

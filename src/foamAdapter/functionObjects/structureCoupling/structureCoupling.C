@@ -43,8 +43,8 @@ void Foam::functionObjects::structureCoupling::requireKnown() const
     (
         dict_,
         {
-            "patches", "rho", "pRef", "viscous", "p", "U", "onUnconverged",
-            "retry", "couplingInterval", "pressureTolerance",
+            "patches", "rho", "pRef", "viscous", "p", "U", "preset",
+            "onUnconverged", "retry", "couplingInterval", "pressureTolerance",
             "fluidPredictor", "conservationLimit", "enclosedFluid", "structure",
             // Entries of any function object
             "type", "libs", "functionObjectLibs", "enabled", "errors", "log",

@@ -73,6 +73,7 @@ void Foam::couplingSession::beginTimeStep()
     step_.begin();
     step_.current().phases.enter(phaseClock::phase::coupling);
     hasEnded_ = false;
+    preset_.completeControls();
     residual_.reportChanges();
     audited_ = false;
     rates_.beginTimeStep();
@@ -330,41 +331,53 @@ Foam::couplingSession::couplingSession
 (
     const word& name,
     const fvMesh& mesh,
-    const dictionary& dict
+    const dictionary& given
 )
 :
     displacementSource(registryName(name), mesh),
     mesh_(mesh),
     pimple_(mesh.lookupObject<pimpleControl>("solutionControl")),
-    interface_(mesh, sessionSetup::selectPatches(mesh, dict), dict),
-    force_(mesh, dict),
+    preset_(name, mesh, pimple_, given),
+    interface_
+    (
+        mesh,
+        sessionSetup::selectPatches(mesh, preset_.dict()),
+        preset_.dict()
+    ),
+    force_(mesh, preset_.dict()),
     pointDisplacement_
     (
-        sessionSetup::findPointDisplacement(mesh, dict, patches(), UName())
+        sessionSetup::findPointDisplacement
+        (
+            mesh,
+            preset_.dict(),
+            patches(),
+            UName()
+        )
     ),
-    enclosed_(mesh, dict, force_.pName(), force_.UName()),
+    enclosed_(mesh, preset_.dict(), force_.pName(), force_.UName()),
     heldPoints_(mesh, pointDisplacement_, patches()),
     residual_(name, mesh, pimple_),
     criteria_(name, force_.UName(), mesh, pimple_),
-    pressureTolerance_(dict, mesh),
+    pressureTolerance_(preset_.dict(), mesh),
     predictor_
     (
-        dict,
+        preset_.dict(),
         mesh,
         force_.pName(),
         force_.UName(),
         !residual_.isExplicit()
     ),
     rates_(mesh, force_.UName()),
-    interval_(dict, residual_, criteria_),
-    audit_(mesh, dict),
+    interval_(preset_.dict(), residual_, criteria_),
+    audit_(mesh, preset_.dict()),
     audited_(false),
-    tables_(name, mesh, dict),
+    tables_(name, mesh, preset_.dict()),
     isAttached_(true),
     hasEnded_(false),
-    step_(dict, mesh, structure_),
+    step_(preset_.dict(), mesh, structure_),
     finalCorrector_(mesh.time(), pimple_, residual_, criteria_, step_),
-    structure_(dict, mesh.time()),
+    structure_(preset_.dict(), mesh.time()),
     invertedCells_
     (
         registryName(name) + "InvertedCells",
@@ -374,9 +387,10 @@ Foam::couplingSession::couplingSession
     corrector_(0),
     coupledCorrector_(0)
 {
-    restartFiles::check(mesh, pointDisplacement_, patches(), dict);
+    restartFiles::check(mesh, pointDisplacement_, patches(), preset_.dict());
     const tokay::channel::Interface message(describe(name));
-    force_.reportAbsolute(patches(), dict);
+    preset_.announce();
+    force_.reportAbsolute(patches(), preset_.dict());
     announce();
     startStructure(message);
 }
