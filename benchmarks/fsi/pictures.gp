@@ -14,7 +14,8 @@ rows(scene, axis, front) = sprintf("< awk -F, -v OFS='\\t' '$1 == \"%s\" && $2 =
 set output "axes.png"
 set ylabel "error of the displacement"
 set key bottom left
-set offsets graph 0.1, graph 0.25, graph 0.1, graph 0.1
+set xrange [0.3:9]
+set yrange [1e-7:1]
 set multiplot layout 4,3
 do for [axis in axes] {
     set title axis

@@ -38,7 +38,7 @@ inline const std::vector<CouplingPreset>& couplingPresets() {
         {"reference",
          "displacements to some 1e-6, forces to a thousandth.",
          "1e-6",
-         {{"pressureTolerance", "fixed"}},
+         {{"pressureTolerance", "relaxed"}},
          {{"predictor", "quadratic"}}}};
     return presets;
 }
