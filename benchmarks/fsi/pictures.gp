@@ -16,6 +16,7 @@ set ylabel "error of the displacement"
 set key bottom left
 set xrange [0.3:9]
 set yrange [1e-7:1]
+set xtics (0.5, 1, 2, 4, 8)
 set multiplot layout 4,3
 do for [axis in axes] {
     set title axis
