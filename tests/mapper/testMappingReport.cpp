@@ -42,4 +42,24 @@ TEST(MappingReport, as_json_says_null_where_a_number_is_not_finite) {
     EXPECT_EQ(read["method"].as<std::string>(), report.method);
 }
 
+TEST(MappingReport, text_names_what_is_uncovered_or_left_open) {
+    MappingReport report;
+    report.coverage = 0.25;
+    report.nUncovered = 1;
+    report.nInverted = 12;
+    report.rank = 4;
+    report.regularisation = "minimum norm";
+    const std::string text = report.text();
+    for (const char* part :
+         {"coverage 25.0 %", "get nothing: 1\n", "12 x 12, rank 4 (singular)", "minimum norm"}) {
+        EXPECT_NE(text.find(part), std::string::npos) << part << " is missing in: " << text;
+    }
+    report.nUncovered = 0;
+    report.rank = 12;
+    report.regularisation.clear();
+    for (const char* part : {"get nothing", "singular", "minimum norm"}) {
+        EXPECT_EQ(report.text().find(part), std::string::npos) << part;
+    }
+}
+
 } // namespace tokay::mapper

@@ -32,6 +32,11 @@ TEST(SplineInterface, the_point_in_the_middle_of_the_flap_is_ambiguous) {
     EXPECT_FALSE(flapInterface().locate(Point(0.001, 0.5, 0)).ambiguous);
 }
 
+TEST(SplineInterface, the_centre_of_an_arc_is_ambiguous) {
+    EXPECT_TRUE(quarterCircle(2, 3).locate(Point::Zero()).ambiguous);
+    EXPECT_FALSE(quarterCircle(2, 3).locate(Point(0.2, 0.1, 0)).ambiguous);
+}
+
 TEST(SplineInterface, refuses_pieces_that_do_not_fit_the_structure) {
     const geometry::NurbsCurve line = geometry::line(Point::Zero(), Point(1, 0, 0));
     const geometry::NurbsCurve other = geometry::line(Point(1, 0.5, 0), Point(2, 0, 0));
@@ -51,6 +56,13 @@ TEST(SplineInterface, refuses_pieces_that_do_not_fit_the_structure) {
             SplineInterface({{line, {0, 1}, "first"}, {other, {1, 2}, "second"}}, 4);
         },
         {"control point 1", "second", "0.5"});
+    // The limit is rounding, 1e-9 of the size of 2.
+    const auto apart = [&](double distance) {
+        const geometry::NurbsCurve next = geometry::line(Point(1, distance, 0), Point(2, 0, 0));
+        SplineInterface({{line, {0, 1}, "first"}, {next, {1, 2}, "second"}}, 3);
+    };
+    EXPECT_NO_THROW(apart(1e-10));
+    expectInputError([&] { apart(1e-8); }, {"control point 1", "second", "1e-08"});
 }
 
 } // namespace tokay::mapper

@@ -76,6 +76,14 @@ TEST(SurfaceMesh, duplicate_points_make_a_face_without_area_and_are_refused) {
         {"face 1", "no area", "vertices 1 and 2"});
 }
 
+TEST(SurfaceMesh, a_point_between_two_faces_as_near_is_ambiguous) {
+    Points vertices(6, 3);
+    vertices << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1;
+    const SurfaceMesh mesh(vertices, {{0, 1, 2}, {3, 4, 5}}, ValuesAt::vertices);
+    EXPECT_TRUE(mesh.locate(Point(0.2, 0.2, 0.5)).ambiguous);
+    EXPECT_FALSE(mesh.locate(Point(0.2, 0.2, 0.4)).ambiguous);
+}
+
 TEST(PointCloud, maps_the_nearest_value_and_conserves_the_sum) {
     const Points from = flatMesh(6, 6, FaceKind::triangles, ValuesAt::vertices).coordinates();
     const Points to =

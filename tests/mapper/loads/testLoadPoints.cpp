@@ -241,6 +241,55 @@ TEST(LoadPoints, faces_over_a_hole_load_its_rim) {
     EXPECT_NEAR(onControlPoints.sum(), 2, 1e-12); // area of the plate, pressure 1
 }
 
+TEST(LoadPoints, traction_beside_a_line_is_its_consistent_load_too) {
+    // Edges shorter than their distance from the spline, neither dividing the other's.
+    const SplineInterface splines = verticalSpline(2, 7);
+    FaceMesh mesh = line(10);
+    mesh.vertices.col(0).setConstant(0.3);
+    const LoadPoints loads = integratedLoads(splines, mesh);
+    const NearestElementMapping mapping(splines, loads.points, {0.5, true});
+    const VectorXd onControlPoints = mapping.applyTransposed(loads.shares * lengths(mesh));
+    // As on the line: Gauss points are exact, closest points end at 1e-12.
+    EXPECT_LT((onControlPoints - integralsAlong(splines)).cwiseAbs().maxCoeff(), 1e-11);
+}
+
+TEST(LoadPoints, faces_partly_beyond_a_patch_are_loaded_evenly) {
+    // A triangle of which the patch covers less than a half, large beside its spans.
+    FaceMesh mesh{Points(3, 3), {{0, 1, 2}}};
+    mesh.vertices << 1.5, 0.2, 0, 3.1, 0.4, 0, 1.9, 0.9, 0;
+    const SurfaceInterface splines = onePatch(geometry::TrimmedPatch(plate(8, 4)));
+    const LoadPoints loads = integratedLoads(splines, mesh, 0.02);
+    const Eigen::RowVector3d centroid = mesh.vertices.colwise().mean();
+    double spread = 0, sides = 0;
+    for (Eigen::Index i = 0; i < loads.points.rows(); ++i) {
+        spread += loads.shares.coeff(i, 0) * (loads.points.row(i) - centroid).squaredNorm();
+    }
+    for (int i = 0; i < 3; ++i) {
+        sides += (mesh.vertices.row((i + 1) % 3) - mesh.vertices.row(i)).squaredNorm();
+    }
+    // Of an even load the mean square of the distance from the centroid is the sum of the
+    // squared sides over 36; points at the centroids of n^2 parts miss 1 / n^2 of it.
+    const int n = static_cast<int>(std::lround(std::sqrt(loads.points.rows())));
+    EXPECT_GE(n, 2 * 1.5 / 0.25); // two points a span at least
+    EXPECT_NEAR(spread, sides / 36, 1.01 / (n * n) * sides / 36);
+}
+
+TEST(FaceSizes, are_in_lengths_whatever_the_parameters_and_tell_smallest_and_largest) {
+    // Spans of 1/4 of a quarter circle of radius 1, of which edges are chords.
+    FaceMesh mesh = arc(2, 1);
+    const FaceMesh fine = arc(8, 1);
+    mesh.vertices.conservativeResize(mesh.vertices.rows() + fine.vertices.rows(), 3);
+    mesh.vertices.bottomRows(fine.vertices.rows()) = fine.vertices;
+    mesh.faces.push_back({3, 4});
+    mesh.faces.push_back({0, 1});
+    const double span = 0.125 * M_PI;
+    const FaceSizes sizes = faceSizes(quarterCircle(2, 4), mesh);
+    // A rational circle has its parameter within 10 % of the angle's, so have its spans.
+    EXPECT_NEAR(sizes.smallest, 2 * std::sin(M_PI / 32) / span, 0.1 * sizes.smallest);
+    EXPECT_NEAR(sizes.largest, 2 * std::sin(M_PI / 8) / span, 0.1 * sizes.largest);
+    EXPECT_EQ(sizes.nFaces, 4);
+}
+
 TEST(FaceSizes, ratios_are_those_of_lengths_and_of_roots_of_areas) {
     const FaceSizes ofLine = faceSizes(verticalSpline(2, 8), line(4));
     EXPECT_NEAR(ofLine.smallest, 2, 1e-12);

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/errors.hpp"
+#include "geometry/primitives/primitives.hpp"
+#include "geometry/spline/refinement.hpp"
 #include "mapper/mortar/EdgeQuadrature.hpp"
 #include "mapper/mortar/EdgeTrace.hpp"
 #include "mapper/sampleInterfaces.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
+
+#include <numeric>
 
 namespace tokay::mapper {
 
@@ -95,6 +100,47 @@ TEST(EdgeTrace, projection_reproduces_what_the_trace_holds) {
         const MatrixXd mapped = edge.values() * leading * trace.coefficients(edge.points());
         EXPECT_LT((mapped - edge.points()).norm(), 1e-13) << xi;
     }
+}
+
+TEST(EdgeTrace, projection_leaves_a_rest_without_moments_on_the_trace) {
+    for (const double xi : {0.37, 0.5}) {
+        const EdgeQuadrature edge = quadratureOf(trimmedEdge(xi));
+        const EdgeTrace trace(edge.values(), edge.weights());
+        // No quadratic spline of two spans is this field.
+        const VectorXd field = (5 * edge.points().col(1)).array().sin();
+        const MatrixXd leading = trace.basis().leftCols(trace.rank());
+        const VectorXd rest = field - edge.values() * leading * trace.coefficients(field);
+        EXPECT_GT(rest.cwiseAbs().maxCoeff(), 1e-2);
+        const VectorXd moments = edge.values().transpose() * edge.weights().asDiagonal() * rest;
+        EXPECT_LT(moments.cwiseAbs().maxCoeff(), 1e-14) << xi;
+    }
+}
+
+TEST(EdgeTrace, condition_is_that_of_the_mass_matrix) {
+    const EdgeQuadrature edge = quadratureOf(verticalSpline(3, 4));
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> modes(edge.massMatrix());
+    const VectorXd& eigenvalues = modes.eigenvalues();
+    const double condition = eigenvalues[eigenvalues.size() - 1] / eigenvalues[0];
+    EXPECT_NEAR(EdgeTrace(edge.values(), edge.weights()).conditionOnRange(), condition,
+                1e-12 * condition * condition);
+}
+
+TEST(EdgeQuadrature, integrates_products_along_the_direction_of_the_higher_degree) {
+    // Degree 1 across the edge and 3 along it.
+    const geometry::NurbsSurface patch =
+        refine(geometry::rectangle(Point(-1, 0, 0), 2, 1), 1, 3, 2, 2);
+    std::vector<int> numbers(static_cast<std::size_t>(patch.nControlPoints()));
+    std::iota(numbers.begin(), numbers.end(), 0);
+    std::vector<std::unique_ptr<InterfaceCurve>> curves;
+    curves.push_back(interfaceCurve(
+        geometry::CurveOnSurface(geometry::line(Point(0.5, 0, 0), Point(0.5, 1, 0)), patch),
+        numbers));
+    const CurveInterface onKnotLine(std::move(curves), patch.controlPoints());
+    // There the functions are those of the cubic spline along it.
+    const MatrixXd expected = quadratureOf(verticalSpline(3, 2)).massMatrix();
+    const MatrixXd mass = quadratureOf(onKnotLine).massMatrix();
+    ASSERT_EQ(mass.rows(), expected.rows());
+    EXPECT_LT((mass - expected).cwiseAbs().maxCoeff(), 1e-15);
 }
 
 TEST(EdgeTrace, forces_at_points_keep_force_moment_and_work) {

@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -37,15 +38,20 @@ struct SlantedEdge {
         : surface(refine(geometry::rectangle(Point(-1, 0, 0), 2, 1), 2, 2, n, n)), start(from),
           end(to) {}
 
-    CurveInterface interface() const {
+    CurveInterface interface(bool isReversed = false) const {
         std::vector<int> numbers(surface.nControlPoints());
         std::iota(numbers.begin(), numbers.end(), 0);
+        Points coordinates = surface.controlPoints();
+        if (isReversed) {
+            std::reverse(numbers.begin(), numbers.end());
+            coordinates = coordinates.colwise().reverse().eval();
+        }
         std::vector<std::unique_ptr<InterfaceCurve>> curves;
         curves.push_back(interfaceCurve(
             geometry::CurveOnSurface(
                 geometry::line(Point((1 + start) / 2, 0, 0), Point((1 + end) / 2, 1, 0)), surface),
             numbers));
-        return CurveInterface(std::move(curves), surface.controlPoints());
+        return CurveInterface(std::move(curves), coordinates);
     }
     /// The same place as line elements.
     CurveInterface mesh(int nElements) const {
@@ -185,6 +191,21 @@ TEST(GradientTerm, takes_the_slope_of_a_source_that_knows_one) {
     }
 }
 
+TEST(GradientTerm, takes_the_sources_slope_where_it_changes_along_the_edge) {
+    const SlantedEdge other(5, 0.13, 0.13), edge(8, 0.13, 0.13);
+    const CurveInterface from = other.interface(), to = edge.interface();
+    // Control values of x y are the products of their coordinates.
+    const auto product = [](const Points& x) -> Eigen::VectorXd {
+        return x.col(0).cwiseProduct(x.col(1));
+    };
+    const Eigen::VectorXd mapped = MortarMapping(from, to, with(SingularMass::gradientTerm))
+                                       .apply(product(from.coordinates()));
+    const Eigen::VectorXd expected = product(to.coordinates());
+    for (Eigen::Index i = 0; i < mapped.size(); ++i) {
+        EXPECT_TRUE(mapped[i] == 0 || std::abs(mapped[i] - expected[i]) < 1e-9) << i;
+    }
+}
+
 TEST(GradientTerm, slope_keeps_moments_of_forces_off_the_edge) {
     const SlantedEdge other(5, 0.13, 0.13), edge(8, 0.13, 0.13);
     const CurveInterface from = other.interface(), to = edge.interface();
@@ -197,6 +218,18 @@ TEST(GradientTerm, slope_keeps_moments_of_forces_off_the_edge) {
     }
     expectForceAndMomentConserved(mapping, forces, from.coordinates(), to.coordinates());
     expectTransposesEqual(mapping, from.nValues(), to.nValues());
+}
+
+TEST(GradientTerm, numbers_of_control_points_do_not_matter) {
+    const SlantedEdge other(5, 0.13, 0.13), edge(8, 0.13, 0.13);
+    const Points values = linearField(other.surface.controlPoints()).array().sin();
+    const Points reversed = values.colwise().reverse();
+    const auto options = with(SingularMass::gradientTerm);
+    const Points mapped = MortarMapping(other.interface(), edge.interface(), options).apply(values);
+    const Points ofReversed =
+        MortarMapping(other.interface(true), edge.interface(true), options).apply(reversed);
+    // The condition of what the trace leaves open enlarges rounding.
+    EXPECT_LT((ofReversed.colwise().reverse() - mapped).cwiseAbs().maxCoeff(), 1e-9);
 }
 
 TEST(GradientTerm, error_beside_the_edge_falls_by_one_order_more_with_the_sources_slope) {
@@ -245,6 +278,22 @@ TEST(GradientTerm, continues_fields_over_what_trimming_leaves_of_patches) {
     const MortarMapping fromMesh(mesh, to, with(SingularMass::gradientTerm));
     const Points one = Points::Ones(mesh.nValues(), 3);
     EXPECT_LT(largestError(fromMesh.apply(one), Points::Ones(to.nValues(), 3)), 1e-9);
+}
+
+TEST(GradientTerm, numbers_of_a_patchs_control_points_do_not_matter) {
+    const geometry::ParameterBox kept{{0, 0}, {0.5 + 1e-7, 1}};
+    const geometry::TrimmedPatch trimmed(plate(4, 4), {geometry::TrimmingLoop::around(kept)});
+    const int n = trimmed.basis().nControlPoints();
+    std::vector<int> reversed(static_cast<std::size_t>(n));
+    std::iota(reversed.rbegin(), reversed.rend(), 0);
+    const SurfaceInterface to({{trimmed, reversed, "trimmed"}}, n);
+    const SurfaceInterface from = onePatch(geometry::TrimmedPatch(plate(3, 5)));
+    const Points mapped = MortarMapping(from, to, with(SingularMass::gradientTerm))
+                              .apply(linearField(from.coordinates()));
+    const Points expected = linearField(to.coordinates());
+    for (Eigen::Index i = 0; i < mapped.rows(); ++i) {
+        EXPECT_TRUE(mapped.row(i).norm() == 0 || (mapped - expected).row(i).norm() < 1e-9) << i;
+    }
 }
 
 TEST(GradientTerm, keeps_rank_and_count_and_explains_itself) {

@@ -54,6 +54,18 @@ TEST(MortarMapping, passes_the_patch_test_between_line_meshes_that_do_not_match)
     expectPatchTest(verticalMesh(300), verticalMesh(3), {});
 }
 
+TEST(MortarMapping, passes_the_patch_test_whatever_the_order_of_the_sources_elements) {
+    Points vertices(8, 3);
+    std::vector<std::array<int, 2>> elements;
+    for (int i = 0; i < 8; ++i) {
+        vertices.row(i) << 0, i / 7.0, 0;
+    }
+    for (const int i : {4, 0, 6, 2, 5, 1, 3}) {
+        elements.push_back({i, i + 1});
+    }
+    expectPatchTest(lineMesh(vertices, elements), verticalMesh(3), {});
+}
+
 TEST(MortarMapping, passes_the_patch_test_between_splines_and_line_meshes) {
     expectPatchTest(verticalMesh(7), verticalSpline(2, 4), {});
     expectPatchTest(verticalSpline(3, 4), verticalMesh(9), {});

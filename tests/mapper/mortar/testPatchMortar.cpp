@@ -136,6 +136,26 @@ TEST(SurfaceInterface, a_point_over_a_hole_gets_the_rim_of_the_hole) {
     EXPECT_NEAR(splines.locate(Point(0.9, 0.9, 0)).gap, 0, 1e-14);
 }
 
+TEST(SurfaceInterface, points_as_near_to_two_places_are_ambiguous) {
+    // In the middle of a square hole, and between two plates.
+    const geometry::NurbsSurface square = geometry::rectangle(Point::Zero(), 1, 1);
+    const TrimmedPatch holed(
+        square, {geometry::TrimmingLoop::around({{0, 0}, {1, 1}}),
+                 geometry::TrimmingLoop(geometry::LoopKind::inner,
+                                        {geometry::line(Point(0.4, 0.4, 0), Point(0.4, 0.6, 0)),
+                                         geometry::line(Point(0.4, 0.6, 0), Point(0.6, 0.6, 0)),
+                                         geometry::line(Point(0.6, 0.6, 0), Point(0.6, 0.4, 0)),
+                                         geometry::line(Point(0.6, 0.4, 0), Point(0.4, 0.4, 0))})});
+    EXPECT_TRUE(onePatch(holed).locate(Point(0.5, 0.5, 0)).ambiguous);
+    EXPECT_FALSE(onePatch(holed).locate(Point(0.5, 0.45, 0)).ambiguous);
+    const TrimmedPatch below(geometry::rectangle(Point::Zero(), 1, 1));
+    const TrimmedPatch above(geometry::rectangle(Point(0, 0, 1), 1, 1));
+    const SurfaceInterface plates({{below, {0, 1, 2, 3}, "below"}, {above, {4, 5, 6, 7}, "above"}},
+                                  8);
+    EXPECT_TRUE(plates.locate(Point(0.3, 0.6, 0.5)).ambiguous);
+    EXPECT_FALSE(plates.locate(Point(0.3, 0.6, 0.4)).ambiguous);
+}
+
 TEST(SurfaceInterface, refuses_patches_that_do_not_fit_the_structure) {
     const TrimmedPatch patch(geometry::rectangle(Point::Zero(), 1, 1));
     expectInputError([&] { SurfaceInterface({}, 4); }, {"no patch"});

@@ -188,4 +188,22 @@ TEST(OffsetMapping, refuses_a_beam_out_of_its_plane) {
     expectInputError([&] { OffsetMapping(interface, Points::Zero(1, 3)); }, {"mast", "0.2"});
 }
 
+TEST(OffsetMapping, takes_a_beam_that_is_in_its_plane_to_rounding) {
+    const auto interface = [](double height) {
+        const geometry::NurbsCurve axis = geometry::line(Point::Zero(), Point(1, 0, height));
+        return SplineInterface({{axis, {0, 1}, "mast"}}, 2);
+    };
+    EXPECT_NO_THROW(OffsetMapping(interface(1e-10), Points::Zero(1, 3)));
+    expectInputError([&] { OffsetMapping(interface(1e-8), Points::Zero(1, 3)); }, {"1e-08"});
+}
+
+TEST(OffsetMapping, refuses_a_point_over_a_pole) {
+    const geometry::NurbsSurface dome = geometry::sphere(Point::Zero(), 1);
+    const int n = dome.nControlPoints();
+    const SurfaceInterface interface({{geometry::TrimmedPatch(dome), consecutive(n), "dome"}}, n);
+    Points to(1, 3);
+    to << 0, 0, 1.01;
+    expectInputError([&] { OffsetMapping(interface, to); }, {"(0, 0, 1.01)", "pole"});
+}
+
 } // namespace tokay::mapper
