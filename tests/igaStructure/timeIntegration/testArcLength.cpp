@@ -3,6 +3,7 @@
 #include "igaStructure/kinematics/beam/exampleBeam.hpp"
 #include "igaStructure/timeIntegration/ArcLength.hpp"
 #include "igaStructure/timeIntegration/ImplicitStepper.hpp"
+#include "igaStructure/timeIntegration/SpringChain.hpp"
 #include "igaStructure/timeIntegration/Springs.hpp"
 #include "igaStructure/timeIntegration/findLimitPoint.hpp"
 
@@ -206,6 +207,19 @@ TEST(ArcLength, ends_iterations_at_the_rounding_error_of_internal_forces) {
     EXPECT_NEAR(path.state().displacement[0], std::sqrt(35.0) - 5, 1e-12);
 }
 
+TEST(ArcLength, reactions_are_in_balance_with_loads_on_supports_too) {
+    // A body on a spring beside its support, a load t on each.
+    SpringChain chain({[](double) { return 0.0; }, std::nullopt});
+    chain.cubic = 3;
+    chain.load = [](double t) { return t; };
+    ArcLength path(chain, NewtonOptions{1e-12}, {}, 0.3, 1);
+    while (path.state().time < 1) {
+        path.advance();
+        EXPECT_NEAR(path.state().reaction[0], -2 * path.state().time, 1e-11);
+        EXPECT_EQ(path.state().reaction[1], 0);
+    }
+}
+
 TEST(ArcLength, path_that_ends_is_reported_with_the_reason) {
     Springs springs(
         1, [](double u) { return u < 0.5 ? u : NAN; }, [](double) { return 1; });
@@ -233,6 +247,17 @@ TEST(FindLimitPoint, finds_the_trusses_limit_and_none_below_it) {
     ASSERT_TRUE(found.has_value());
     EXPECT_NEAR(*found, limit, 0.01 * limit); // a parabola through three points of the path
     EXPECT_FALSE(findLimitPoint(line, {}, rest, 0.9 * limit).has_value());
+}
+
+TEST(FindLimitPoint, is_exact_where_the_path_is_a_parabola) {
+    Springs spring(
+        1, [](double u) { return 2 * u - u * u; }, [](double u) { return 2 - 2 * u; });
+    spring.load = [](double t) { return t; };
+    MotionState rest;
+    rest.displacement = rest.velocity = rest.acceleration = VectorXd::Zero(1);
+    const auto found = findLimitPoint(spring, NewtonOptions{1e-13}, rest, 1.5);
+    ASSERT_TRUE(found.has_value());
+    EXPECT_NEAR(*found, 1, 1e-9); // points of the path have 1e-13, differences of them less
 }
 
 TEST(FindLimitPoint, is_named_where_static_load_steps_fail) {
