@@ -17,19 +17,6 @@ constexpr double tolerance = 1e-6;
 /// More refinements than this cost more than they save: a new matrix serves later calls too.
 constexpr int maxRefinements = 4;
 
-/// Number of columns, from the first, in which two products are the same.
-int nEqualColumns(const MatrixXd& A, const MatrixXd& B, int nColumns, const LowRankMatrix& J) {
-    if (J.rank() == 0 || A.rows() != J.A().rows() || B.rows() != J.B().rows()) {
-        return 0;
-    }
-    const int most = std::min(nColumns, J.rank());
-    int n = 0;
-    while (n < most && A.col(n) == J.A().col(n) && B.col(n) == J.B().col(n)) {
-        ++n;
-    }
-    return n;
-}
-
 } // namespace
 
 VectorXd WoodburySolver::solve(const LowRankMatrix& J, const VectorXd& b) {
@@ -38,8 +25,7 @@ VectorXd WoodburySolver::solve(const LowRankMatrix& J, const VectorXd& b) {
         return y;
     }
     const VectorXd rightHandSide = J.B().transpose() * structure_.variations(y);
-    const bool isNew = nEqualColumns(A_, B_, nKept_, J) == 0;
-    update(J);
+    const bool isNew = update(J) == 0;
     Refined refined = refine(J, rightHandSide);
     if (!refined.converged && !isNew) {
         forget();
@@ -69,29 +55,36 @@ WoodburySolver::Refined WoodburySolver::refine(const LowRankMatrix& J,
     }
 }
 
-void WoodburySolver::update(const LowRankMatrix& J) {
-    const int nEqual = nEqualColumns(A_, B_, nKept_, J);
+/// @return  number of columns that were kept
+int WoodburySolver::update(const LowRankMatrix& J) {
+    const int nEqual = nEqualColumns(J);
     const int rank = J.rank();
-    if (nEqual == rank && nKept_ == rank) {
-        return;
+    if (nEqual < capacitance_.size()) {
+        capacitance_.clear(); // factors cannot shrink
     }
-    const int nNew = rank - nEqual;
-    MatrixXd PZ(J.B().rows(), rank);
-    PZ.leftCols(nEqual) = PZ_.leftCols(nEqual);
-    MatrixXd BtPZ(rank, rank);
-    BtPZ.topLeftCorner(nEqual, nEqual) = BtPZ_.topLeftCorner(nEqual, nEqual);
-    if (nNew > 0) {
-        PZ.rightCols(nNew) = structure_.variations(structure_.responses(J.A().rightCols(nNew)));
+    if (nEqual < rank) {
+        const int nNew = rank - nEqual;
+        PZ_.conservativeResize(J.B().rows(), rank);
+        PZ_.rightCols(nNew) = structure_.variations(structure_.responses(J.A().rightCols(nNew)));
     }
-    BtPZ.bottomLeftCorner(nNew, nEqual).noalias() =
-        J.B().rightCols(nNew).transpose() * PZ.leftCols(nEqual);
-    BtPZ.rightCols(nNew).noalias() = J.B().transpose() * PZ.rightCols(nNew);
-    A_ = J.A();
-    B_ = J.B();
-    PZ_ = std::move(PZ);
-    BtPZ_ = std::move(BtPZ);
-    nKept_ = rank;
-    capacitance_.compute(MatrixXd::Identity(rank, rank) - BtPZ_);
+    kept_ = J.columnMarks();
+    const Eigen::Index nFactored = capacitance_.size();
+    const Eigen::Index n = rank - nFactored;
+    if (n > 0) {
+        const auto newB = J.B().rightCols(n);
+        const auto newPZ = PZ_.middleCols(nFactored, n);
+        capacitance_.append(-(J.B().leftCols(nFactored).transpose() * newPZ),
+                            -(newB.transpose() * PZ_.leftCols(nFactored)),
+                            MatrixXd::Identity(n, n) - newB.transpose() * newPZ);
+    }
+    return nEqual;
+}
+
+/// Number of columns, from the first, that are kept.
+int WoodburySolver::nEqualColumns(const LowRankMatrix& J) const {
+    const std::vector<std::uint64_t>& marks = J.columnMarks();
+    const auto equal = std::mismatch(kept_.begin(), kept_.end(), marks.begin(), marks.end());
+    return static_cast<int>(equal.first - kept_.begin());
 }
 
 } // namespace tokay::coupling

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "coupling/block/GrowingLu.hpp"
 #include "coupling/history/LowRankMatrix.hpp"
 #include "coupling/step/CoupledStructure.hpp"
 
-#include <Eigen/LU>
+#include <cstdint>
+#include <vector>
 
 namespace tokay::coupling {
 
@@ -12,10 +14,10 @@ namespace tokay::coupling {
 /// motion P d of its interface by A Bᵀ, of small rank:
 ///   d = y + K⁻¹ A c,  (1 - Bᵀ P K⁻¹ A) c = Bᵀ P y,  y = K⁻¹ b.
 /// The capacitance matrix 1 - Bᵀ P K⁻¹ A, which takes a back-substitution for each column
-/// of A, is kept from one call to the next: for a linear structure it gets only the columns
-/// that are new, for another one it serves to refine c as long as K and P have changed
-/// little. A call then takes two back-substitutions, and one for each refinement.
-/// Source: Hager 1989, Updating the inverse of a matrix, SIAM Review 31.
+/// of A, is kept with its factors from one call to the next: for a linear structure these get
+/// only the columns that are new, for another one it serves to refine c as long as K and P have
+/// changed little. A call then takes two back-substitutions, and one for each refinement. Source:
+/// Hager 1989, Updating the inverse of a matrix, SIAM Review 31.
 class WoodburySolver {
   public:
     /// Borrows the structure.
@@ -28,7 +30,7 @@ class WoodburySolver {
     Eigen::VectorXd solve(const LowRankMatrix& J, const Eigen::VectorXd& b);
 
     /// The next call depends on its arguments alone.
-    void forget() { nKept_ = 0; }
+    void forget() { kept_.clear(); }
 
   private:
     struct Refined {
@@ -37,15 +39,13 @@ class WoodburySolver {
     };
 
     Refined refine(const LowRankMatrix& J, const Eigen::VectorXd& rightHandSide);
-    void update(const LowRankMatrix& J);
+    int update(const LowRankMatrix& J);
+    int nEqualColumns(const LowRankMatrix& J) const;
 
     LinearisedStructure& structure_;
-    int nKept_ = 0;        ///< columns that what follows belongs to
-    Eigen::MatrixXd A_;    ///< N x nKept_
-    Eigen::MatrixXd B_;    ///< n x nKept_
-    Eigen::MatrixXd PZ_;   ///< P K⁻¹ A, n x nKept_, each column with the K of its time
-    Eigen::MatrixXd BtPZ_; ///< nKept_ x nKept_
-    Eigen::PartialPivLU<Eigen::MatrixXd> capacitance_;
+    std::vector<std::uint64_t> kept_; ///< marks of the columns that what follows belongs to
+    Eigen::MatrixXd PZ_;              ///< P K⁻¹ A, each column with the K of its time
+    GrowingLu capacitance_;
 };
 
 } // namespace tokay::coupling

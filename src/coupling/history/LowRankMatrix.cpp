@@ -8,6 +8,7 @@
 #include <Eigen/SVD>
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
 
 namespace tokay::coupling {
@@ -25,11 +26,9 @@ ThinQr thinQr(const Eigen::MatrixXd& matrix) {
             qr.matrixQR().topRows(n).triangularView<Eigen::Upper>()};
 }
 
-Eigen::MatrixXd beside(const Eigen::MatrixXd& left, const Eigen::MatrixXd& right) {
-    Eigen::MatrixXd both(right.rows(), left.cols() + right.cols());
-    both.leftCols(left.cols()) = left;
-    both.rightCols(right.cols()) = right;
-    return both;
+void appendColumns(Eigen::MatrixXd& matrix, const Eigen::MatrixXd& columns) {
+    matrix.conservativeResize(columns.rows(), matrix.cols() + columns.cols());
+    matrix.rightCols(columns.cols()) = columns;
 }
 
 } // namespace
@@ -37,12 +36,22 @@ Eigen::MatrixXd beside(const Eigen::MatrixXd& left, const Eigen::MatrixXd& right
 void LowRankMatrix::append(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
     assert(A.cols() == B.cols());
     assert(rank() == 0 || (A.rows() == A_.rows() && B.rows() == B_.rows()));
-    if (rank() == 0) {
-        A_ = A;
-        B_ = B;
-    } else {
-        A_ = beside(A_, A);
-        B_ = beside(B_, B);
+    const Eigen::Index first = rank();
+    appendColumns(A_, A);
+    appendColumns(B_, B);
+    markColumnsFrom(first);
+}
+
+void LowRankMatrix::scale(double factor) {
+    A_ *= factor;
+    markColumnsFrom(0);
+}
+
+void LowRankMatrix::markColumnsFrom(Eigen::Index first) {
+    static std::atomic<std::uint64_t> lastMark{0};
+    columnMarks_.resize(static_cast<std::size_t>(first));
+    for (Eigen::Index k = first; k < A_.cols(); ++k) {
+        columnMarks_.push_back(++lastMark);
     }
 }
 
@@ -61,6 +70,7 @@ void LowRankMatrix::compress(int maxRank, double relativeLimit) {
     }
     A_ = a.Q * svd.matrixU().leftCols(n) * values.head(n).asDiagonal();
     B_ = b.Q * svd.matrixV().leftCols(n);
+    markColumnsFrom(0);
 }
 
 void LowRankMatrix::limitRank(const RankOptions& options) {
@@ -81,6 +91,7 @@ void LowRankMatrix::restore(StateReader& state, Rows rows) {
     if (A_.cols() != B_.cols()) {
         throw channel::PeerError("the factors of a Jacobian do not fit each other");
     }
+    markColumnsFrom(0);
 }
 
 Eigen::VectorXd LowRankMatrix::apply(const Eigen::VectorXd& v, Eigen::Index nRows) const {

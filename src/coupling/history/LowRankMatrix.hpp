@@ -5,6 +5,9 @@
 
 #include <Eigen/Core>
 
+#include <cstdint>
+#include <vector>
+
 namespace tokay::coupling {
 
 class StateReader;
@@ -45,7 +48,7 @@ class LowRankMatrix {
     /// terms repeat each other, compresses it to half of maxRank.
     void limitRank(const RankOptions& options);
 
-    void scale(double factor) { A_ *= factor; }
+    void scale(double factor);
 
     /// A Bᵀ v; zero of nRows if the rank is 0.
     Eigen::VectorXd apply(const Eigen::VectorXd& v, Eigen::Index nRows) const;
@@ -59,9 +62,16 @@ class LowRankMatrix {
     const Eigen::MatrixXd& A() const { return A_; }
     const Eigen::MatrixXd& B() const { return B_; }
 
+    /// Marks of the columns: where two matrices have the same one, their columns of A and B
+    /// are the same.
+    const std::vector<std::uint64_t>& columnMarks() const { return columnMarks_; }
+
   private:
+    void markColumnsFrom(Eigen::Index first);
+
     Eigen::MatrixXd A_;
     Eigen::MatrixXd B_;
+    std::vector<std::uint64_t> columnMarks_;
 };
 
 } // namespace tokay::coupling
