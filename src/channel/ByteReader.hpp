@@ -38,6 +38,14 @@ class ByteReader {
                        numbersOf(balance.emplace()));
         }
     }
+    void operator()(std::optional<double>& value) {
+        bool given = false;
+        (*this)(given);
+        value.reset();
+        if (given) {
+            (*this)(value.emplace());
+        }
+    }
     template <std::size_t size>
     void operator()(std::array<std::uint8_t, size>& bytes) {
         for (std::uint8_t& byte : bytes) {

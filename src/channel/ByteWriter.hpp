@@ -33,6 +33,12 @@ class ByteWriter {
             std::apply([&](const auto&... value) { ((*this)(value), ...); }, numbersOf(*balance));
         }
     }
+    void operator()(const std::optional<double>& value) {
+        (*this)(value.has_value());
+        if (value) {
+            (*this)(*value);
+        }
+    }
     template <std::size_t size>
     void operator()(const std::array<std::uint8_t, size>& bytes) {
         bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());

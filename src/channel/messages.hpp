@@ -20,7 +20,7 @@ namespace tokay::channel {
 ///              depth [N/m]; 3: three components, forces in [N]
 
 /// Version of the messages below; both sides must agree.
-constexpr std::uint32_t protocolVersion = 4;
+constexpr std::uint32_t protocolVersion = 5;
 
 /// Sides of a connection. A structure whose edges another one moves has the part of the fluid.
 enum class Role : std::uint8_t { fluid, structure, movedStructure };
@@ -76,9 +76,10 @@ struct BeginStep {
 
 /// Forces on the faces; answered by displacements.
 struct Forces {
-    bool final = false;         ///< last exchange of the step: accept, do not move on
-    bool write = false;         ///< the fluid writes its fields at this time (with final)
-    double fluidResidual = 0;   ///< initial residual of the momentum equation
+    bool final = false; ///< last exchange of the step: accept, do not move on
+    bool write = false; ///< the fluid writes its fields at this time (with final)
+    /// Initial residual of the momentum equation, if one is solved; 0: forces are exact.
+    std::optional<double> fluidResidual{};
     std::vector<double> values; ///< nFaces x dimension [N], per unit depth in 2D [N/m]
     /// With final: a solution above the tolerance is not accepted; the answer is that of
     /// a coupling iteration, and the step goes on.

@@ -99,6 +99,7 @@ TEST(Encoding, messages_of_a_step_survive_the_round_trip) {
     EXPECT_TRUE(forces.final);
     EXPECT_TRUE(forces.write);
     EXPECT_EQ(forces.fluidResidual, 3e-5);
+    EXPECT_EQ(roundTrip(Forces{}).fluidResidual, std::nullopt);
     EXPECT_EQ(forces.values, example<Forces>().values);
     EXPECT_EQ(forces.fluidTimes, example<Forces>().fluidTimes);
     const Displacements displacements = roundTrip(example<Displacements>());

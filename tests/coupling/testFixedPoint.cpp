@@ -2,7 +2,6 @@
 #include "GivenSolution.hpp"
 #include "LinearResponse.hpp"
 #include "common/errors.hpp"
-#include "coupling/step/ConvergenceCriteria.hpp"
 
 #include <gtest/gtest.h>
 
@@ -125,51 +124,6 @@ TEST(FixedPoint, a_structural_solution_that_is_not_finite_is_an_error) {
     const VectorXd xTilde(Eigen::Vector3d(1, 1, std::nan("")));
     EXPECT_THROW(driver->iterate(xTilde, 0), SolverError);
     EXPECT_THROW(driver->accept(xTilde), SolverError);
-}
-
-TEST(ConvergenceCriteria, residual_is_relative_to_the_displacement) {
-    ConvergenceCriteria criteria(ConvergenceOptions(), tolerance);
-    const VectorXd x = VectorXd::Constant(7, 3);
-    EXPECT_NEAR(criteria.residual(x, 1.01 * x, {}), 0.01 / 1.01, 1e-14);
-    EXPECT_NEAR(criteria.residual(1e-9 * x, 1.01e-9 * x, {}), 0.01 / 1.01, 1e-14);
-}
-
-TEST(ConvergenceCriteria, a_structure_at_rest_has_converged) {
-    ConvergenceCriteria criteria(ConvergenceOptions(), tolerance);
-    EXPECT_EQ(criteria.residual(VectorXd::Zero(2), VectorXd::Zero(2), {}), 0);
-    EXPECT_EQ(criteria.residual(VectorXd::Zero(2), VectorXd::Ones(2), {}), 1);
-    EXPECT_EQ(criteria.residual(VectorXd::Ones(2), VectorXd::Zero(2), {}), 1);
-}
-
-TEST(ConvergenceCriteria, absolute_floor_is_reached_exactly_at_the_tolerance) {
-    ConvergenceOptions options;
-    options.absoluteDisplacement = 1e-3;
-    ConvergenceCriteria criteria(options, tolerance);
-    const auto residualOf = [&](double difference) {
-        return criteria.residual(VectorXd::Zero(5), VectorXd::Constant(5, difference), {});
-    };
-    EXPECT_LT(residualOf(0.99e-3), tolerance);
-    EXPECT_GT(residualOf(1.01e-3), tolerance);
-}
-
-TEST(ConvergenceCriteria, force_must_hold_still_too) {
-    ConvergenceOptions options;
-    options.relativeForce = 1e-3;
-    ConvergenceCriteria criteria(options, tolerance);
-    const VectorXd x = VectorXd::Ones(2);
-    const VectorXd forces = VectorXd::Constant(3, 10);
-    criteria.beginTimeStep();
-    EXPECT_EQ(criteria.residual(x, x, forces), 1) << "no earlier force to compare with";
-    EXPECT_LT(criteria.residual(x, x, 1.0009 * forces), tolerance);
-    EXPECT_GT(criteria.residual(x, x, 1.0030 * forces), tolerance);
-    criteria.beginTimeStep();
-    EXPECT_EQ(criteria.residual(x, x, forces), 1) << "forces of another step do not count";
-}
-
-TEST(ConvergenceCriteria, tolerance_out_of_its_range_is_refused) {
-    for (const double wrong : {0.0, -1e-4, 1.1, std::nan("")}) {
-        EXPECT_THROW(ConvergenceCriteria(ConvergenceOptions(), wrong), InputError) << wrong;
-    }
 }
 
 } // namespace

@@ -38,7 +38,7 @@ void Record::add(const BeginStep& step) {
 
 void Record::add(const Forces& forces) {
     file_ << "forces " << time_ << ' ' << forces.final << ' ' << forces.write << ' '
-          << forces.fluidResidual;
+          << forces.fluidResidual.value_or(0);
     row("", forces.values);
 }
 

@@ -10,20 +10,23 @@ noForce()
     removeEntry system/fvSolution PIMPLE.residualControl.U
     entry system/controlDict endTime 0.01
     runFluid
-    expectText log.pimpleFoam "residualControl has no entry for U, and the structure's case file has no criterion on the force" \
+    expectText log.pimpleFoam "residualControl has no entry for U, and the structure's case file has 'force: none'" \
         "26 % off" "add 'U { tolerance 1e-4; relTol 0; }' to residualControl" \
         "the time step ending at 0.01 s is accepted with a momentum residual of"
 }
 
-property forceCriterion "a force criterion of the structure is enough"
+property forceCriterion "the criterion on the force that the structure has by default is enough; without it there is a warning"
 forceCriterion()
 {
     makeFlap fluid
     removeEntry system/fvSolution PIMPLE.residualControl.U
     entry system/controlDict endTime 0.01
-    flapEntry "  predictor: quadratic" $'  predictor: quadratic\n  convergence: {relativeForce: 1e-3}'
     runFluid
     expectNoText log.pimpleFoam "residualControl has no entry for U"
+    rm -rf 0.* structure/results structure/postProcessing postProcessing
+    flapEntry "  predictor: quadratic" $'  predictor: quadratic\n  convergence: {force: none}'
+    runFluid
+    expectText log.pimpleFoam "residualControl has no entry for U"
 }
 
 property relaxationFactors "under-relaxation that a case has inherited is warned of, with its factors"

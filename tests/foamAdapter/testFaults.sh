@@ -37,10 +37,10 @@ startLongRun()
 property version "another version of the messages is refused by both sides"
 version()
 {
-    misbehave otherVersion "ended: protocol version 4 of Tokay" \
-        "fakeStructure speaks version 5: install the same Tokay on both sides" \
+    misbehave otherVersion "ended: protocol version 5 of Tokay" \
+        "fakeStructure speaks version 6: install the same Tokay on both sides" \
         "the structure ended with status 2; its log:" "log.igaStructure"
-    expectStructureSays "protocol version 4 of Tokay"
+    expectStructureSays "protocol version 5 of Tokay"
 }
 
 property refusal "a structure that refuses the interface is quoted"

@@ -61,12 +61,14 @@ const VectorXd& BlockQuasiNewton::predict(double deltaT) {
     return next_.x;
 }
 
-CouplingIteration BlockQuasiNewton::iterate(const VectorXd& faceForces, double fluidResidual) {
-    assert(deltaT_ > 0 && std::isfinite(fluidResidual));
+CouplingIteration BlockQuasiNewton::iterate(const VectorXd& faceForces,
+                                            std::optional<double> fluidResidual) {
+    assert(deltaT_ > 0 && std::isfinite(fluidResidual.value_or(0)));
     now_ = next_;
     const VectorXd loads = lag_.corrected(structure_.loads(faceForces, now_.d));
-    learn(loads, fluidResidual);
-    const double residual = criteria_.residual(now_.x, newtonPrediction(loads), faceForces);
+    learn(loads, fluidResidual.value_or(0));
+    const double residual =
+        criteria_.residual(now_.x, newtonPrediction(loads), faceForces, fluidResidual);
     next_ = nextState(loads);
     statistics_.add(residual, criteria_.tolerance(), model_.matrix().rank());
     return {next_.x, residual, statistics_.converged};
@@ -125,6 +127,7 @@ CouplingIteration BlockQuasiNewton::accept(const VectorXd& finalForces, double l
     }
     model_.acceptTimeStep();
     predictor_.accept(d, deltaT_);
+    criteria_.acceptTimeStep(finalForces);
     deltaT_ = 0;
     return {xTilde, residual, true};
 }
@@ -140,6 +143,7 @@ void BlockQuasiNewton::save(StateWriter& state) const {
     state.number(deltaTOfModel_);
     model_.save(state);
     lag_.save(state);
+    criteria_.save(state);
 }
 
 void BlockQuasiNewton::restore(StateReader& state) {
@@ -147,6 +151,7 @@ void BlockQuasiNewton::restore(StateReader& state) {
     deltaTOfModel_ = state.number();
     model_.restore(state);
     lag_.restore(state);
+    criteria_.restore(state);
 }
 
 } // namespace tokay::coupling

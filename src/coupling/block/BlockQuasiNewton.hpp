@@ -32,7 +32,8 @@ class BlockQuasiNewton : public CouplingMethod {
 
     const Eigen::VectorXd& predict(double deltaT) override;
     /// @throws SolverError if Newton's method fails
-    CouplingIteration iterate(const Eigen::VectorXd& faceForces, double fluidResidual) override;
+    CouplingIteration iterate(const Eigen::VectorXd& faceForces,
+                              std::optional<double> fluidResidual) override;
     /// Accepts the structural solution for what the final forces would do once the
     /// fluid had followed the structure to it, by what is known of its response.
     CouplingIteration accept(const Eigen::VectorXd& finalForces,

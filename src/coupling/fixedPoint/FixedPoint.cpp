@@ -28,12 +28,13 @@ const VectorXd& FixedPoint::predict(double deltaT) {
     return x_;
 }
 
-CouplingIteration FixedPoint::iterate(const VectorXd& faceForces, double fluidResidual) {
-    assert(deltaT_ > 0 && std::isfinite(fluidResidual));
+CouplingIteration FixedPoint::iterate(const VectorXd& faceForces,
+                                      std::optional<double> fluidResidual) {
+    assert(deltaT_ > 0 && std::isfinite(fluidResidual.value_or(0)));
     x_ = next_;
     const VectorXd xTilde = structure_.solve(faceForces);
-    const double residual = criteria_.residual(x_, xTilde, faceForces);
-    next_ = accelerator_->next(x_, xTilde, fluidResidual);
+    const double residual = criteria_.residual(x_, xTilde, faceForces, fluidResidual);
+    next_ = accelerator_->next(x_, xTilde, fluidResidual.value_or(0));
     statistics_.add(residual, criteria_.tolerance(), accelerator_->nColumns());
     if (!accelerator_->iterates()) {
         return {next_, 0, true};
@@ -52,6 +53,7 @@ CouplingIteration FixedPoint::accept(const VectorXd& finalForces, double limit) 
     }
     accelerator_->acceptTimeStep();
     predictor_.accept(xTilde, deltaT_);
+    criteria_.acceptTimeStep(finalForces);
     deltaT_ = 0;
     return {xTilde, residual, true};
 }
@@ -63,12 +65,14 @@ void FixedPoint::reject() {
 
 void FixedPoint::save(StateWriter& state) const {
     predictor_.save(state);
+    criteria_.save(state);
     state.text(acceleration_);
     accelerator_->save(state);
 }
 
 void FixedPoint::restore(StateReader& state) {
     predictor_.restore(state);
+    criteria_.restore(state);
     if (state.text() == acceleration_) {
         accelerator_->restore(state);
     }

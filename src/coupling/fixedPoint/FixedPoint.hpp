@@ -24,7 +24,8 @@ class FixedPoint : public CouplingMethod {
                std::unique_ptr<Accelerator> accelerator);
 
     const Eigen::VectorXd& predict(double deltaT) override;
-    CouplingIteration iterate(const Eigen::VectorXd& faceForces, double fluidResidual) override;
+    CouplingIteration iterate(const Eigen::VectorXd& faceForces,
+                              std::optional<double> fluidResidual) override;
     CouplingIteration accept(const Eigen::VectorXd& finalForces,
                              double limit = std::numeric_limits<double>::infinity()) override;
     void reject() override;

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace tokay::coupling {
@@ -51,10 +52,12 @@ class CouplingMethod {
     virtual const Eigen::VectorXd& predict(double deltaT) = 0;
 
     /// @param faceForces     on the fluid's faces, at the last x returned
-    /// @param fluidResidual  initial residual of its momentum equation
+    /// @param fluidResidual  initial residual of its momentum equation, if it solves one;
+    ///                       0: the forces are exact
     /// @return               x for the next forces
     /// @throws SolverError if the structure has no solution
-    virtual CouplingIteration iterate(const Eigen::VectorXd& faceForces, double fluidResidual) = 0;
+    virtual CouplingIteration iterate(const Eigen::VectorXd& faceForces,
+                                      std::optional<double> fluidResidual) = 0;
 
     /// Ends the step with the structural solution for the final forces. For these
     /// the fluid has stayed where it was in the last coupling iteration: the x

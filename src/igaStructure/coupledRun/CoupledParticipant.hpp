@@ -31,7 +31,8 @@ class CoupledParticipant {
 
     /// @param faceForces     on the fluid's faces, finite
     /// @param fluidResidual  initial residual of its momentum equation
-    virtual StructureResponse iterate(const Eigen::VectorXd& faceForces, double fluidResidual) = 0;
+    virtual StructureResponse iterate(const Eigen::VectorXd& faceForces,
+                                      std::optional<double> fluidResidual) = 0;
 
     /// The step ends with these forces; or, if that is to be only when the residual is
     /// below the tolerance and it is not, they are those of another coupling iteration.

@@ -58,9 +58,9 @@ void requireUsable(const Forces& forces, const WetBoundary& boundary) {
                 text(boundary.faceCentre(face)), text(force)));
         }
     }
-    if (!(forces.fluidResidual >= 0 && std::isfinite(forces.fluidResidual))) {
-        throw PeerError(
-            fmt::format("the fluid's residual is {}; the flow has diverged", forces.fluidResidual));
+    const double residual = forces.fluidResidual.value_or(0);
+    if (!(residual >= 0 && std::isfinite(residual))) {
+        throw PeerError(fmt::format("the fluid's residual is {}; the flow has diverged", residual));
     }
     if (!channel::allFinite(forces.fluidTimes)) {
         throw PeerError("the fluid has a time that is not finite");

@@ -92,7 +92,8 @@ VectorXd FsiParticipant::beginTimeStep(int step, double time, double deltaT) {
     return method_->predict(deltaT);
 }
 
-StructureResponse FsiParticipant::iterate(const VectorXd& faceForces, double fluidResidual) {
+StructureResponse FsiParticipant::iterate(const VectorXd& faceForces,
+                                          std::optional<double> fluidResidual) {
     const auto timed = timer_.enter(Phase::acceleration);
     ++report_.nExchanges;
     const coupling::CouplingIteration iteration = method_->iterate(faceForces, fluidResidual);

@@ -21,7 +21,8 @@ class FsiParticipant : public CoupledParticipant {
                    const channel::Interface& fluid, PhaseTimer& timer, const Report& report);
 
     Eigen::VectorXd beginTimeStep(int step, double time, double deltaT) override;
-    StructureResponse iterate(const Eigen::VectorXd& faceForces, double fluidResidual) override;
+    StructureResponse iterate(const Eigen::VectorXd& faceForces,
+                              std::optional<double> fluidResidual) override;
     StructureResponse acceptTimeStep(const channel::Forces& final) override;
     void finishTimeStep() override;
     void rejectTimeStep() override;

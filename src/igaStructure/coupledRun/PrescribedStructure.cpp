@@ -13,7 +13,7 @@ Eigen::VectorXd PrescribedStructure::beginTimeStep(int step, double time, double
     return displacements_;
 }
 
-StructureResponse PrescribedStructure::iterate(const Eigen::VectorXd&, double) {
+StructureResponse PrescribedStructure::iterate(const Eigen::VectorXd&, std::optional<double>) {
     ++nExchanges_;
     return {displacements_, 0, true};
 }

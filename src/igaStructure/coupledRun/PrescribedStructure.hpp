@@ -15,7 +15,8 @@ class PrescribedStructure : public CoupledParticipant {
         : record_(std::move(record)), report_(std::move(report)) {}
 
     Eigen::VectorXd beginTimeStep(int step, double time, double deltaT) override;
-    StructureResponse iterate(const Eigen::VectorXd& faceForces, double fluidResidual) override;
+    StructureResponse iterate(const Eigen::VectorXd& faceForces,
+                              std::optional<double> fluidResidual) override;
     StructureResponse acceptTimeStep(const channel::Forces&) override;
     void finishTimeStep() override;
     void rejectTimeStep() override {}

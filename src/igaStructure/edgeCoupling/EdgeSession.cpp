@@ -101,6 +101,7 @@ void EdgeSession::advance(int step, double time, double deltaT, bool writes) {
     Displacements answer =
         exchange(channel::BeginStep{static_cast<std::uint32_t>(step), time, deltaT});
     channel::Forces forces;
+    forces.fluidResidual = 0;
     while (answer.state == State::iterate) {
         if (static_cast<int>(residuals_.size()) == maxIterations) {
             throwNotConverged(time);

@@ -89,7 +89,7 @@ TEST(SavedState, that_is_cut_off_anywhere_is_refused_with_its_name) {
 TEST(SavedState, of_another_version_is_refused) {
     std::vector<std::uint8_t> bytes = encodeState(exampleState(0.1));
     bytes[14] = 9; // after the length and the ten letters of the magic
-    EXPECT_THAT(errorOf(bytes), HasSubstr("its version is 9, this program reads version 4"));
+    EXPECT_THAT(errorOf(bytes), HasSubstr("its version is 9, this program reads version 5"));
 }
 
 TEST(SavedState, of_which_any_byte_has_changed_is_refused) {

@@ -299,13 +299,13 @@ void Foam::controlAdvice::reportNoForce
     const dictionary controls(pimple.dict());
     IOWarningInFunction(controls)
         << "residualControl has no entry for " << UName << ", and the "
-        << "structure's case file has no criterion on the force: a time step "
-        << "ends when the structure has settled, however wrong its force is; "
-        << "a heavy structure, which hardly moves in a time step, has been "
-        << "measured to settle on one that is 26 % off" << nl
-        << "    add '" << UName << " { tolerance 1e-4; relTol 0; }' to "
-        << "residualControl, or 'convergence: {relativeForce: 1e-3}' to the "
-        << "entry 'coupling' of the case file" << endl;
+        << "structure's case file has 'force: none': a time step ends when "
+        << "the structure has settled, however wrong its force is; a heavy "
+        << "structure, which hardly moves in a time step, has been measured "
+        << "to settle on one that is 26 % off" << nl
+        << "    remove 'force: none' from 'coupling.convergence' of the case "
+        << "file, or add '" << UName << " { tolerance 1e-4; relTol 0; }' to "
+        << "residualControl" << endl;
 }
 
 

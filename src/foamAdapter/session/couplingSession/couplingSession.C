@@ -155,7 +155,10 @@ void Foam::couplingSession::iterate(const bool final, const bool ifConverged)
     message.final = final;
     message.ifConverged = ifConverged;
     message.write = final && mesh_.time().writeTime();
-    message.fluidResidual = current.fluidResidual;
+    if (criteria_.solvesMomentum())
+    {
+        message.fluidResidual = current.fluidResidual;
+    }
     message.values = interface_.collect(forces);
     if (message.write)
     {

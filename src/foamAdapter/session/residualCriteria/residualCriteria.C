@@ -114,20 +114,18 @@ void Foam::residualCriteria::readControls()
 void Foam::residualCriteria::readMomentum()
 {
     List<SolverPerformance<vector>> performances;
-    momentum_ = Zero;
-    if
-    (
+    // Without a momentum predictor there are none
+    solvesMomentum_ =
         performanceStore(mesh_, 0).solverPerformanceDict().readIfPresent
         (
             UName_,
             performances
         )
-     && !performances.empty()
-    )
-    {
-        // Without a momentum predictor there are none
-        momentum_ = performances.last().initialResidual();
-    }
+     && !performances.empty();
+    momentum_ =
+        solvesMomentum_
+      ? performances.last().initialResidual()
+      : vector(Zero);
 }
 
 
@@ -282,6 +280,7 @@ Foam::residualCriteria::residualCriteria
     pimple_(pimple),
     couplingName_(couplingName),
     UName_(UName),
+    solvesMomentum_(false),
     momentum_(Zero),
     fraction_(Zero),
     isStill_(false),
@@ -411,7 +410,9 @@ Foam::string Foam::residualCriteria::remedy(const bool converged) const
     if (!converged)
     {
         text +=
-            ". Choose another acceleration in the structure's case file";
+            ". Choose another acceleration in the structure's case file; its "
+            "criteria are those of 'coupling.convergence', the change of the "
+            "force among them";
     }
     return text;
 }

@@ -18,7 +18,7 @@ using coupling::StateWriter;
 namespace {
 
 const std::string magic = "TokayState";
-constexpr int stateVersion = 4;
+constexpr int stateVersion = 5;
 
 constexpr std::size_t checksumSize = sizeof(std::uint32_t);
 
