@@ -117,7 +117,7 @@ TEST(Encoding, texts_survive_the_round_trip) {
 }
 
 TEST(Encoding, is_little_endian_on_every_machine) {
-    const Bytes expected = {'T',  'o',  'k',  'a',  4,  0, 0,    0,
+    const Bytes expected = {'T',  'o',  'k',  'a',  5,  0, 0,    0,
                             3,    0,    0,    0,    20, 0, 0,    0,     // header
                             0x04, 0x03, 0x02, 0x01,                     // step
                             0,    0,    0,    0,    0,  0, 0xf0, 0x3f,  // time 1

@@ -21,7 +21,7 @@ namespace {
 constexpr double usualForceLimit = 1e-3;
 
 /// Momentum residual of a flow that has converged, if the coupling's tolerance is looser: at
-/// 5e-3 the force of a heavy flap is still wrong by more than a percent.
+/// 5e-3 the motion of a heavy flap is still wrong by more than a percent.
 constexpr double convergedMomentum = 1e-4;
 
 /// Of a force that there is nothing to compare with: not met, and no more than that, so that
