@@ -160,6 +160,14 @@ class StructuralModel {
         return {};
     }
 
+    /// Tells the model what inertia adds to the stiffness in time steps to come: the mass
+    /// matrix times a factor. Springs of weak supports and joints are stiff compared with the
+    /// elements there, so they have to be stiff compared with these; else an edge gives way in
+    /// short steps. Internal forces, strain energy and supportShift() change with it.
+    /// @param massFactor  0: none, as at first [1/s^2]
+    /// @return  false if there is no such spring, and nothing changes
+    virtual bool resistInertia(double /*massFactor*/) { return false; }
+
     /// Motions without strain that the supports leave free, in words.
     virtual std::vector<std::string> freeRigidMotions() const = 0;
 

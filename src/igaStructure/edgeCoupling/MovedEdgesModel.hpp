@@ -78,6 +78,7 @@ class MovedEdgesModel : public StructuralModel {
     bool hasPrescribedMotion() const override { return true; }
     Eigen::VectorXd prescribed(double time) const override;
     SupportShift supportShift(double time) const override;
+    bool resistInertia(double massFactor) override { return model_.resistInertia(massFactor); }
     std::vector<std::string> supportNames() const override { return model_.supportNames(); }
     std::vector<SupportLoad> supportLoads(const Eigen::VectorXd& displacement,
                                           const Eigen::VectorXd& reaction,

@@ -27,6 +27,11 @@ void combine(double a, const SparseMatrix& A, double b, const SparseMatrix& B,
                                                  b * Eigen::Map<const VectorXd>(B.valuePtr(), n);
 }
 
+// Times of the fluid come with rounding errors, which are no new time step.
+bool isSameTimeStep(double one, double other) {
+    return std::abs(one - other) <= 1e-12 * one;
+}
+
 } // namespace
 
 TimeIntegrator::TimeIntegrator(StructuralModel& model, const TimeScheme& scheme,
@@ -102,6 +107,27 @@ void TimeIntegrator::beginTimeStep(double time, double deltaT) {
     deltaT_ = deltaT;
     displacement_ = state_.displacement;
     reaction_.resize(0);
+    if (scheme_.dynamic && !isSameTimeStep(deltaT_, resistedDeltaT_)) {
+        resistInertia();
+    }
+}
+
+// Springs of weak supports and joints are stiff compared with what is solved in this step.
+void TimeIntegrator::resistInertia() {
+    resistedDeltaT_ = deltaT_;
+    if (!model_.resistInertia(massFactor())) {
+        return;
+    }
+    stiffness_ = stiffnessAtRest(model_);
+    internalRounding_ = {stiffness_, model_.size()};
+    startShift_ = model_.supportShift(state_.time);
+    factoredDeltaT_ = 0;
+    dropTangent();
+}
+
+// Of inertia in the balance, over the displacement at the middle of the step.
+double TimeIntegrator::massFactor() const {
+    return (1 - scheme_.alphaM) / ((1 - scheme_.alphaF) * scheme_.beta * deltaT_ * deltaT_);
 }
 
 const VectorXd& TimeIntegrator::solve(const VectorXd& interfaceForce) {
@@ -283,9 +309,9 @@ void TimeIntegrator::factorise() {
     if (scheme_.dynamic) {
         const double velocityFactor =
             (1 - scheme_.alphaF) * scheme_.gamma / (scheme_.beta * deltaT_);
-        const double massFactor = (1 - scheme_.alphaM) / (scheme_.beta * deltaT_ * deltaT_) +
-                                  velocityFactor * model_.massDamping();
-        combine(internalFactor, tangent_, massFactor, mass_, tangent_);
+        const double inertiaFactor =
+            internalFactor * massFactor() + velocityFactor * model_.massDamping();
+        combine(internalFactor, tangent_, inertiaFactor, mass_, tangent_);
         if (model_.stiffnessDamping() > 0) {
             combine(1, tangent_, velocityFactor * model_.stiffnessDamping(), stiffness_, tangent_);
         }
@@ -310,9 +336,7 @@ void TimeIntegrator::factorise() {
 }
 
 bool TimeIntegrator::isFactoredForStep() const {
-    // Times of the fluid come with rounding errors, which are no new time step.
-    return factoredDeltaT_ > 0 &&
-           (!scheme_.dynamic || std::abs(deltaT_ - factoredDeltaT_) <= 1e-12 * deltaT_);
+    return factoredDeltaT_ > 0 && (!scheme_.dynamic || isSameTimeStep(deltaT_, factoredDeltaT_));
 }
 
 void TimeIntegrator::solveLinear() {

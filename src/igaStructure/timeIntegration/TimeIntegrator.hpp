@@ -119,6 +119,8 @@ class TimeIntegrator {
         double smallestVolumeRatio = 1;
     };
 
+    void resistInertia();
+    double massFactor() const;
     Eigen::VectorXd accelerationFor(const Eigen::VectorXd& displacement) const;
     Eigen::VectorXd velocityFor(const Eigen::VectorXd& acceleration) const;
     Eigen::VectorXd dampingForce(const Eigen::VectorXd& velocity) const;
@@ -163,6 +165,7 @@ class TimeIntegrator {
     bool isAtStart_ = true; ///< supports have no rates yet
     double time_ = 0;
     double deltaT_ = 0;
+    double resistedDeltaT_ = 0;    ///< time step whose inertia the model's springs resist
     double factoredDeltaT_ = 0;    ///< 0: the factorisation is none of a step
     bool tangentServes_ = false;   ///< the last iteration contracted enough
     Eigen::VectorXd force_;        ///< at the end of the step

@@ -67,6 +67,7 @@ class Shell : public StructuralModel {
         return supports_->settle(displacement);
     }
     SupportShift supportShift(double time) const override { return supports_->shift(time); }
+    bool resistInertia(double massFactor) override { return supports_->resistInertia(massFactor); }
     std::vector<std::string> supportNames() const override { return supports_->names(); }
     std::vector<SupportLoad> supportLoads(const Eigen::VectorXd& displacement,
                                           const Eigen::VectorXd& reaction,

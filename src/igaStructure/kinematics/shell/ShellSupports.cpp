@@ -60,6 +60,14 @@ bool ShellSupports::settle(const VectorXd& displacement) {
     return false;
 }
 
+bool ShellSupports::resistInertia(double massFactor) {
+    for (const auto& coupling : constraints_.couplings) {
+        coupling->resistInertia(massFactor);
+    }
+    latestShifts_ = {};
+    return !constraints_.couplings.empty();
+}
+
 // Of each coupling, those that no support moves included.
 const std::vector<EdgeCoupling::Shift>& ShellSupports::couplingShifts(double time) const {
     return latestShifts_.at(time, [&] {

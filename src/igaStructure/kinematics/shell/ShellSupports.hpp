@@ -33,6 +33,7 @@ class ShellSupports {
     Eigen::VectorXd prescribed(double time) const;
     bool settle(const Eigen::VectorXd& displacement);
     StructuralModel::SupportShift shift(double time) const;
+    bool resistInertia(double massFactor);
 
     /// Names, edges before points.
     std::vector<std::string> names() const;

@@ -90,9 +90,9 @@ VectorXd EdgeCoupling::gathered(const VectorXd& displacement) const {
 
 DisplacementPenalty::DisplacementPenalty(const PatchLocation& side, const PatchLocation* other,
                                          const std::array<bool, 3>& components,
-                                         const Matrix3d& stiffness)
+                                         const Matrix3d& stiffness, double mass)
     : EdgeCoupling(side, other), components_(components), places_{{side.position, 1}},
-      stiffness_(stiffness), row_(nodes_.size()) {
+      elastic_(stiffness), stiffness_(stiffness), mass_(mass), row_(nodes_.size()) {
     row_.head(side.N.cols()) = side.N.row(0);
     if (other) {
         row_.tail(other->N.cols()) = -other->N.row(0);
@@ -101,10 +101,14 @@ DisplacementPenalty::DisplacementPenalty(const PatchLocation& side, const PatchL
 
 DisplacementPenalty::DisplacementPenalty(std::vector<int> nodes, Eigen::RowVectorXd weights,
                                          const std::array<bool, 3>& components,
-                                         const Matrix3d& stiffness,
+                                         const Matrix3d& stiffness, double mass,
                                          std::vector<WeightedPlace> places)
     : EdgeCoupling(std::move(nodes)), components_(components), places_(std::move(places)),
-      stiffness_(stiffness), row_(std::move(weights)) {}
+      elastic_(stiffness), stiffness_(stiffness), mass_(mass), row_(std::move(weights)) {}
+
+void DisplacementPenalty::resistInertia(double massFactor) {
+    stiffness_ = elastic_ + massFactor * mass_ * Matrix3d::Identity();
+}
 
 EdgeCoupling::Answer DisplacementPenalty::answer(const VectorXd& displacement, Strains,
                                                  bool withTangent) const {

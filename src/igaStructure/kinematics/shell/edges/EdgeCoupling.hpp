@@ -38,6 +38,11 @@ class EdgeCoupling {
     /// Of a coupling that holds components of the displacement.
     virtual Shift shift(const VectorField& /*motion*/, double /*time*/) const { return {}; }
 
+    /// Stiffens the springs by their mass times a factor: what inertia adds to the stiffness
+    /// of an element in a time step (StructuralModel::resistInertia).
+    /// @param massFactor  0: none, as at first [1/s^2]
+    virtual void resistInertia(double /*massFactor*/) {}
+
     /// Derivative of each constrained quantity by the displacement of the nodes, at
     /// rest: a row each.
     virtual Eigen::MatrixXd restRows() const = 0;
@@ -63,25 +68,29 @@ class DisplacementPenalty : public EdgeCoupling {
   public:
     /// @param stiffness  energy is half of displacement . stiffness displacement [N/m];
     ///                   rows and columns of components that are not held are left out
+    /// @param mass       [kg]
     DisplacementPenalty(const PatchLocation& side, const PatchLocation* other,
-                        const std::array<bool, 3>& components, const Eigen::Matrix3d& stiffness);
+                        const std::array<bool, 3>& components, const Eigen::Matrix3d& stiffness,
+                        double mass);
 
     /// Penalty on a weighted sum of the nodes' displacements.
     /// @param nodes   each once
     /// @param places  of the sum, for the motion of a support
     DisplacementPenalty(std::vector<int> nodes, Eigen::RowVectorXd weights,
                         const std::array<bool, 3>& components, const Eigen::Matrix3d& stiffness,
-                        std::vector<WeightedPlace> places);
+                        double mass, std::vector<WeightedPlace> places);
 
     Answer answer(const Eigen::VectorXd& displacement, Strains strains,
                   bool withTangent) const override;
     Shift shift(const VectorField& motion, double time) const override;
+    void resistInertia(double massFactor) override;
     Eigen::MatrixXd restRows() const override;
 
   private:
     std::array<bool, 3> components_;
     std::vector<WeightedPlace> places_;
-    Eigen::Matrix3d stiffness_;
+    Eigen::Matrix3d elastic_, stiffness_; ///< without and with what resists inertia
+    double mass_;
     Eigen::RowVectorXd row_; ///< functions, those of the other place negative
 };
 

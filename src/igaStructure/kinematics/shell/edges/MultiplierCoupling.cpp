@@ -100,12 +100,14 @@ std::unique_ptr<EdgeCoupling> displacementMoment(const Multiplier& multiplier,
         row[place] += value;
     }
     Eigen::Matrix3d mean = Eigen::Matrix3d::Zero();
+    double mass = 0;
     for (const Sample& sample : multiplier.samples) {
         mean += sample.factor * stiffness.ofDisplacement(*sample.point);
+        mass += sample.factor * stiffness.massOfDisplacement(*sample.point);
     }
+    const double square = std::pow(multiplier.length, 2);
     return std::make_unique<DisplacementPenalty>(nodes.nodes(), std::move(row), components,
-                                                 mean / std::pow(multiplier.length, 2),
-                                                 std::move(sum));
+                                                 mean / square, mass / square, std::move(sum));
 }
 
 // Moment of the rotation, with the measures of a RotationPenalty at each sample.
@@ -115,8 +117,8 @@ class RotationMoment : public EdgeCoupling {
         : EdgeCoupling(std::vector<int>()) {
         NodeUnion nodes;
         for (const Sample& sample : multiplier.samples) {
-            stiffness_ += sample.factor * stiffness.ofRotation(*sample.point) /
-                          std::pow(multiplier.length, 2);
+            const double weight = sample.factor / std::pow(multiplier.length, 2);
+            stiffness_ += weight * stiffness.ofRotation(*sample.point);
             const PatchLocation* other = sample.point->other ? &*sample.point->other : nullptr;
             RotationPenalty measure(sample.point->side, other, 1);
             std::vector<Eigen::Index> places = nodes.add(measure.nodes());

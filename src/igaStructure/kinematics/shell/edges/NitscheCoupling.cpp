@@ -4,6 +4,7 @@
 #include "igaStructure/kinematics/shell/edges/CutFractions.hpp"
 #include "igaStructure/kinematics/shell/edges/EdgeTraction.hpp"
 #include "igaStructure/kinematics/shell/edges/NodeUnion.hpp"
+#include "igaStructure/kinematics/shell/edges/PenaltyStiffness.hpp"
 #include "igaStructure/kinematics/shell/edges/TractionBounds.hpp"
 
 #include <algorithm>
@@ -19,9 +20,14 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 NitscheCoupling::NitscheCoupling(std::vector<int> nodes, MatrixXd held, MatrixXd traction,
-                                 MatrixXd stabilisation)
+                                 MatrixXd stabilisation, double mass)
     : EdgeCoupling(std::move(nodes)), held_(std::move(held)), traction_(std::move(traction)),
-      stabilisation_(std::move(stabilisation)) {}
+      elastic_(std::move(stabilisation)), stabilisation_(elastic_), mass_(mass) {}
+
+void NitscheCoupling::resistInertia(double massFactor) {
+    stabilisation_ = elastic_;
+    stabilisation_.topLeftCorner<3, 3>() += massFactor * mass_ * Matrix3d::Identity();
+}
 
 EdgeCoupling::Answer NitscheCoupling::answer(const VectorXd& displacement, Strains,
                                              bool withTangent) const {
@@ -187,9 +193,11 @@ class NitscheBuilder {
             addColumns(signs.asDiagonal() * tractions[s], tractionColumns[s], weights_[s],
                        traction);
         }
-        auto coupling = std::make_unique<NitscheCoupling>(nodes.nodes(), std::move(held),
-                                                          point.weight * traction,
-                                                          factor_ * point.weight * stiffness);
+        constexpr double elements = 1000; // as many as penalty has
+        const PenaltyStiffness springs = {factor_ * elements, 0, 0};
+        auto coupling = std::make_unique<NitscheCoupling>(
+            nodes.nodes(), std::move(held), point.weight * traction,
+            factor_ * point.weight * stiffness, point.weight * springs.massOfDisplacement(point));
         constexpr double part = 1e-4; // exact to digits, and far from rounding
         coupling->followAt(point.side.position,
                            part * point.side.elementLength() * point.side.baseVectors *

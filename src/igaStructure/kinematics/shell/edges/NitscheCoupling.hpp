@@ -19,13 +19,15 @@ class NitscheCoupling : public EdgeCoupling {
     ///                       rotation about it (1): rows by the nodes' displacement
     /// @param traction       work-conjugate to them
     /// @param stabilisation  7 x 7
+    /// @param mass           of the stabilisation against displacement [kg]
     NitscheCoupling(std::vector<int> nodes, Eigen::MatrixXd held, Eigen::MatrixXd traction,
-                    Eigen::MatrixXd stabilisation);
+                    Eigen::MatrixXd stabilisation, double mass);
 
     Answer answer(const Eigen::VectorXd& displacement, Strains strains,
                   bool withTangent) const override;
     /// Needs followAt().
     Shift shift(const VectorField& motion, double time) const override;
+    void resistInertia(double massFactor) override;
     Eigen::MatrixXd restRows() const override { return held_; }
 
     /// Where the motion of a support is taken.
@@ -38,7 +40,9 @@ class NitscheCoupling : public EdgeCoupling {
     Eigen::Vector3d position_ = Eigen::Vector3d::Zero();
     Eigen::Vector3d step_ = Eigen::Vector3d::Zero();
     Eigen::Vector3d components_ = Eigen::Vector3d::Zero();
-    Eigen::MatrixXd held_, traction_, stabilisation_;
+    Eigen::MatrixXd held_, traction_;
+    Eigen::MatrixXd elastic_, stabilisation_; ///< without and with what resists inertia
+    double mass_;
 };
 
 /// Terms of all points of an edge that is held or at which two patches meet. The

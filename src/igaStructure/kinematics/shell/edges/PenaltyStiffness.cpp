@@ -13,6 +13,11 @@ double elementSize(const EdgePoint& point) {
                        : point.side.elementSize();
 }
 
+double massPerArea(const EdgePoint& point) {
+    const double own = point.side.patch->massPerArea();
+    return point.other ? std::min(own, point.other->patch->massPerArea()) : own;
+}
+
 bool isKink(const EdgePoint& point) {
     constexpr double smooth = 1e-3; // square of the angle; curved edges meet to some digits only
     return point.other && 1 - std::pow(point.side.normal().dot(point.other->normal()), 2) > smooth;
@@ -34,6 +39,10 @@ Eigen::Matrix3d PenaltyStiffness::ofDisplacement(const EdgePoint& point) const {
 
 double PenaltyStiffness::ofRotation(const EdgePoint& point) const {
     return factor * bending / elementSize(point);
+}
+
+double PenaltyStiffness::massOfDisplacement(const EdgePoint& point) const {
+    return factor * massPerArea(point) * elementSize(point);
 }
 
 } // namespace tokay::structure

@@ -5,8 +5,12 @@
 
 namespace tokay::structure {
 
-/// Penalty stiffness along an edge, in units of that of an element there, h being
-/// its size across the edge.
+/// Springs along an edge, in units of the stiffness that an element there has, h being its
+/// size across the edge. In a time step an element resists by its inertia too, and the
+/// shorter the step the more: a spring that scales with the elastic stiffness alone gives way
+/// in short ones. So those against displacement have a mass as well, which counts as the
+/// element's does. Those against rotation have none: held as firmly, an element that the edge
+/// cuts would not move at all.
 struct PenaltyStiffness {
     double factor;
     double membrane; ///< E t / (1 - nu^2) [N/m]
@@ -20,6 +24,8 @@ struct PenaltyStiffness {
     Eigen::Matrix3d ofDisplacement(const EdgePoint& point) const;
     /// Against rotation, per length [N].
     double ofRotation(const EdgePoint& point) const;
+    /// Of a spring against displacement, per length: that of the lighter element [kg/m].
+    double massOfDisplacement(const EdgePoint& point) const;
 };
 
 } // namespace tokay::structure

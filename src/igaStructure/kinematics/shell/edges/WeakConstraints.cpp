@@ -5,6 +5,8 @@
 #include "igaStructure/kinematics/shell/edges/MultiplierCoupling.hpp"
 #include "igaStructure/kinematics/shell/edges/NitscheCoupling.hpp"
 
+#include <Eigen/Geometry>
+
 #include <iterator>
 
 namespace tokay::structure {
@@ -15,6 +17,12 @@ void append(EdgeCouplings added, EdgeCouplings& couplings) {
 
 namespace {
 
+// Area of the element at a location [m^2].
+double elementArea(const PatchLocation& at) {
+    return at.baseVectors.col(0).cross(at.baseVectors.col(1)).norm() *
+           at.patch->patch().elementBox(at.element).area();
+}
+
 void addPenalties(const std::vector<EdgePoint>& points, const std::array<bool, 3>& components,
                   bool rotation, const PenaltyStiffness& stiffness, EdgeCouplings& couplings) {
     for (const EdgePoint& point : points) {
@@ -22,7 +30,8 @@ void addPenalties(const std::vector<EdgePoint>& points, const std::array<bool, 3
         if (components != std::array<bool, 3>{}) {
             couplings.push_back(std::make_unique<DisplacementPenalty>(
                 point.side, other, components,
-                point.weight * stiffness.ofAnyDisplacement(point) * Eigen::Matrix3d::Identity()));
+                point.weight * stiffness.ofAnyDisplacement(point) * Eigen::Matrix3d::Identity(),
+                point.weight * stiffness.massOfDisplacement(point)));
         }
         if (rotation) {
             couplings.push_back(std::make_unique<RotationPenalty>(
@@ -42,10 +51,14 @@ void addTraceSprings(const std::vector<EdgePoint>& points, const std::array<bool
     }
     constexpr double elements = 10; // benchmarks/shells: from 100 on a coarse mesh locks
     const PenaltyStiffness springs = {elements, side.membrane, side.bending};
+    // In a step so short that inertia decides there is no bending to be locked.
+    constexpr double masses = 1e4; // 1000 leave 1.5 % of the displacement at a corner
+    const PenaltyStiffness inertia = {masses, side.membrane, side.bending};
     for (const EdgePoint& point : points) {
         couplings.push_back(std::make_unique<DisplacementPenalty>(
             point.side, point.other ? &*point.other : nullptr, components,
-            point.weight * springs.ofDisplacement(point)));
+            point.weight * springs.ofDisplacement(point),
+            point.weight * inertia.massOfDisplacement(point)));
     }
 }
 
@@ -123,9 +136,11 @@ void WeakConstraints::holdCreases(const ShellPatch& patch, int face,
 
 void WeakConstraints::holdPoint(const PatchLocation& place, const std::array<bool, 3>& components,
                                 int face, EdgeCouplings& couplings) const {
+    const double springs = factor(EdgeMethod::penalty);
     couplings.push_back(std::make_unique<DisplacementPenalty>(
         place, nullptr, components,
-        factor(EdgeMethod::penalty) * stiffness(face).membrane * Eigen::Matrix3d::Identity()));
+        springs * stiffness(face).membrane * Eigen::Matrix3d::Identity(),
+        springs * place.patch->massPerArea() * elementArea(place)));
 }
 
 } // namespace tokay::structure
