@@ -38,7 +38,7 @@ class AccelerationOptions {
 /// Everything the user may choose about the coupling, with its default; entries of
 /// `coupling` in the case file. @see couplingSchema
 struct CouplingOptions {
-    Extrapolation predictor = Extrapolation::linear;
+    Extrapolation predictor = Extrapolation::quadratic;
     AccelerationOptions acceleration;
     ConvergenceOptions convergence;
 };
