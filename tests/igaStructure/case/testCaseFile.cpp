@@ -220,10 +220,9 @@ TEST(CaseFile, preset_is_the_same_as_its_entries) {
     }
 }
 
-TEST(CaseFile, balanced_preset_is_the_default_but_for_the_predictor) {
+TEST(CaseFile, balanced_preset_is_the_default) {
     const std::string coupling = "coupling:\n  interface: [left]\n";
-    EXPECT_EQ(optionsOf(coupling + "  preset: balanced\n  predictor: linear\n"),
-              optionsOf(coupling));
+    EXPECT_EQ(optionsOf(coupling + "  preset: balanced\n"), optionsOf(coupling));
 }
 
 TEST(CaseFile, entry_that_is_given_wins_over_the_preset) {

@@ -18,6 +18,22 @@ using Eigen::MatrixXd;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
+namespace {
+
+// For the end of a sentence on shear deformation; of a body that is not thick.
+std::string tooHighFrequencies(double slenderness) {
+    const double second = bendingOverestimate(slenderness, 2);
+    return fmt::format(", and with rotary inertia it makes the frequencies of the first three "
+                       "bending modes about {:.2g}, {:.2g} and {:.2g} % too high{}",
+                       100 * bendingOverestimate(slenderness, 1), 100 * second,
+                       100 * bendingOverestimate(slenderness, 3),
+                       second > 0.01 ? "; where a flow excites more than the first of them, a "
+                                       "plane solid is right"
+                                     : "");
+}
+
+} // namespace
+
 BeamBody::BeamBody(Beam beam) : beam_(std::move(beam)), projector_(beam_.curve()) {
     add(resultant("normalForce", "N", true,
                   [](const BeamState& state, const Location&) { return state.normalForce; }));
@@ -200,7 +216,8 @@ std::vector<std::string> BeamBody::advice() const {
         fmt::format("slenderness (length over thickness) {:.3g}: shear deformation, which a "
                     "beam leaves out, would add about {:.2g} % to a cantilever's deflection{}",
                     1 / share, 100 * shear,
-                    shear > 0.02 ? "; a plane solid models it" : tooThinToBend(1 / share))};
+                    shear > 0.02 ? "; a plane solid models it"
+                                 : tooHighFrequencies(1 / share) + tooThinToBend(1 / share))};
     const double bend = section.thickness * largestCurvature(beam_.curve());
     if (bend > 1e-6) {
         lines.push_back(fmt::format("thickness over radius of curvature {:.3g}, terms of which "

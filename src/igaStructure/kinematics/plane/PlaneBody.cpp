@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/kinematics/plane/PlaneBody.hpp"
 
+#include "igaStructure/kinematics/thinness.hpp"
 #include "igaStructure/kinematics/vonMises.hpp"
 
 #include <fmt/format.h>
@@ -83,9 +84,13 @@ double PlaneBody::massPerWetArea() const {
 std::vector<std::string> PlaneBody::advice() const {
     const double slenderness = solid_.size() / thickness();
     constexpr double slender = 20; // shear then adds less than a percent
-    return {fmt::format(
-        "slenderness (size over mean thickness) {:.3g}{}", slenderness,
-        slenderness > slender ? ": a beam has the same motion with far fewer unknowns" : "")};
+    return {fmt::format("slenderness (size over mean thickness) {:.3g}{}", slenderness,
+                        slenderness > slender
+                            ? fmt::format(": a beam has the same slow motion with far fewer "
+                                          "unknowns; the frequency of its second bending mode "
+                                          "is about {:.2g} % higher",
+                                          100 * bendingOverestimate(slenderness, 2))
+                            : "")};
 }
 
 mapper::SplineInterface PlaneBody::boundary(const std::vector<std::string>& names) const {
