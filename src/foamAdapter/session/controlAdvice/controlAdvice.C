@@ -302,7 +302,7 @@ void Foam::controlAdvice::reportNoForce
         << "structure's case file has 'force: none': a time step ends when "
         << "the structure has settled, however wrong its force is; a heavy "
         << "structure, which hardly moves in a time step, has been measured "
-        << "to settle on one that is 26 % off" << nl
+        << "to have ten times the error at a tolerance of 5e-3" << nl
         << "    remove 'force: none' from 'coupling.convergence' of the case "
         << "file, or add '" << UName << " { tolerance 1e-4; relTol 0; }' to "
         << "residualControl" << endl;
