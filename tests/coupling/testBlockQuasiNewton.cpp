@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <functional>
 
 namespace tokay::coupling {
 namespace {
@@ -129,6 +130,66 @@ TEST(BlockSystem, forces_that_are_not_finite_end_in_an_error) {
     EXPECT_THROW(model.solve(), SolverError);
 }
 
+/// One unknown of a given law, whose tangent may be that of another place.
+class Law : public LinearisedStructure {
+  public:
+    using Function = std::function<double(double)>;
+    Law(Function force, Function stiffness)
+        : force_(std::move(force)), stiffness_(std::move(stiffness)) {}
+
+    VectorXd residual(const VectorXd& d) override { return d.unaryExpr(force_); }
+    void linearise(const VectorXd& d) override {
+        tangent = stiffness_(d[0]);
+        ++nFactorisations;
+    }
+    double reuseContraction() const override { return contraction; }
+    MatrixXd responses(const MatrixXd& b) override { return b / tangent; }
+    VectorXd displacements(const VectorXd& d) override { return d; }
+    MatrixXd variations(const MatrixXd& D) override { return D; }
+    VectorXd loads(const VectorXd& forces, const VectorXd&) override { return forces; }
+    VectorXd acceptedUnknowns() const override { return VectorXd::Zero(1); }
+    VectorXd solveFor(const VectorXd& loads, const VectorXd&) override { return loads; }
+
+    /// Solution under a load, without a fluid.
+    double solve(double load, double start, double tolerance) {
+        WoodburySolver steps(*this);
+        const VectorXd loads = VectorXd::Constant(1, load);
+        const VectorXd x = VectorXd::Zero(1);
+        const LowRankMatrix noFluid;
+        const BlockSystem system(*this, steps, loads, x, noFluid);
+        return system.solve(VectorXd::Constant(1, start), tolerance)[0];
+    }
+
+    double tangent = 1;
+    double contraction = 0;
+    int nFactorisations = 0;
+
+  private:
+    Function force_, stiffness_;
+};
+
+TEST(BlockSystem, replaces_a_tangent_that_contracts_less_than_asked_for) {
+    for (const double contraction : {0.4, 0.6}) {
+        Law law([](double d) { return d; }, [](double) { return 1; });
+        law.tangent = 2; // halves the imbalance in each step
+        law.contraction = contraction;
+        EXPECT_NEAR(law.solve(1, 0, 1e-10), 1, 1e-9);
+        EXPECT_EQ(law.nFactorisations, contraction < 0.5 ? 1 : 0);
+    }
+}
+
+TEST(BlockSystem, shortens_newtons_step_as_far_as_needed) {
+    // A spring that softens: from 1 a whole step ends at -77, a 64th at -0.2.
+    Law law([](double d) { return std::atan(50 * d); },
+            [](double d) { return 50 / (1 + 2500 * d * d); });
+    EXPECT_NEAR(law.solve(0, 1, 1e-10), 0, 1e-9);
+}
+
+TEST(BlockSystem, place_where_forces_are_not_finite_is_no_solution_however_near) {
+    Law law([](double d) { return d == 1e6 ? 0 : NAN; }, [](double) { return 1; });
+    EXPECT_THROW(law.solve(1, 1e6, 1e-3), SolverError);
+}
+
 TEST(FluidLag, corrects_for_seven_tenths_of_what_the_fluid_kept) {
     const VectorXd answer1 = VectorXd::Constant(2, 1);
     const VectorXd answer2 = VectorXd::Constant(2, 3);
@@ -164,6 +225,35 @@ TEST(FluidLag, a_difference_that_the_lag_explains_is_not_informative) {
     EXPECT_TRUE(isInformativeAfter(1.01 / 6));
 }
 
+TEST(FluidLag, first_difference_of_a_run_is_informative_however_small) {
+    FluidLag lag({0.1, 5});
+    lag.beginTimeStep();
+    lag.corrected(VectorXd::Constant(1, 1));
+    lag.corrected(VectorXd::Constant(1, 1 + 1e-6));
+    EXPECT_TRUE(lag.isInformative());
+}
+
+TEST(FluidLag, rejected_and_saved_states_know_the_last_difference) {
+    FluidLag lag({0.1, 5});
+    lag.beginTimeStep();
+    lag.corrected(VectorXd::Constant(1, 0));
+    lag.corrected(VectorXd::Constant(1, 1));
+    std::vector<std::uint8_t> bytes;
+    StateWriter written(bytes);
+    lag.save(written);
+    FluidLag restored({0.1, 5});
+    StateReader state(bytes);
+    restored.restore(state);
+    lag.beginTimeStep();
+    lag.corrected(VectorXd::Constant(1, 1e6));
+    lag.rejectTimeStep();
+    for (FluidLag* each : {&lag, &restored}) {
+        each->beginTimeStep();
+        each->corrected(VectorXd::Constant(1, 1.1)); // a tenth of the difference before
+        EXPECT_FALSE(each->isInformative());
+    }
+}
+
 /// Newton's method for the springs alone until a step is below the tolerance.
 /// @return  number of factorisations
 int newtonIterations(Springs& springs, const VectorXd& loads, double tolerance) {
@@ -193,6 +283,18 @@ TEST(BlockQuasiNewton, leaves_a_tenth_of_the_tolerance_to_newtons_method) {
         method.iterate(force, 0);
         EXPECT_EQ(springs.nFactorisations, 1 + expected) << tolerance;
     }
+}
+
+TEST(BlockQuasiNewton, keeps_the_structures_tangent_while_it_serves) {
+    Springs springs(12, 5, 2);
+    springs.contraction = 0.1;
+    BlockQuasiNewton method(CouplingOptions(), 1e-6, springs);
+    method.predict(0.1);
+    method.iterate(VectorXd::Constant(5, 1e-3), 0); // so small that all is nearly linear
+    const int nFactorisations = springs.nFactorisations;
+    EXPECT_GE(nFactorisations, 1);
+    method.iterate(VectorXd::Constant(5, 1.1e-3), 0);
+    EXPECT_EQ(springs.nFactorisations, nFactorisations);
 }
 
 /// Mean evaluations a step at the tolerance 1e-8; every step is checked

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "coupling/history/FilteredQr.hpp"
+#include "coupling/step/StateReader.hpp"
+#include "coupling/step/StateWriter.hpp"
 
 #include <Eigen/QR>
 #include <gtest/gtest.h>
@@ -129,6 +131,65 @@ TEST(FilteredQr, limit_is_the_sine_of_the_angle_to_the_newer_columns) {
     };
     EXPECT_TRUE(dropsAtAngle(0.0099));
     EXPECT_FALSE(dropsAtAngle(0.0101));
+}
+
+TEST(FilteredQr, qr1_compares_with_the_norm_of_all_columns) {
+    const auto drops = [](double length) {
+        FilteredQr qr({QrFilter::qr1, 0.01});
+        qr.prepend(length * VectorXd::Unit(4, 0));
+        qr.prepend(VectorXd::Unit(4, 1));
+        return !qr.prepend(VectorXd::Unit(4, 2)).empty();
+    };
+    EXPECT_TRUE(drops(0.0140)); // 0.01 times the root of two, and no more than rounding
+    EXPECT_FALSE(drops(0.0142));
+}
+
+TEST(FilteredQr, without_a_limit_drops_only_what_is_rounding_error) {
+    FilteredQr qr({QrFilter::qr2, 0});
+    VectorXd older = VectorXd::Unit(3, 0);
+    older[1] = 1e-9;
+    qr.prepend(older);
+    EXPECT_TRUE(qr.prepend(VectorXd::Unit(3, 0)).empty());
+}
+
+TEST(FilteredQr, filters_bear_the_names_of_their_rules) {
+    // A small column at right angles: qr1 drops it, qr2 does not.
+    for (const bool isFirst : {true, false}) {
+        FilterOptions options;
+        const Entry* filter = FilterOptions::schema().entriesOf(&options).front();
+        ASSERT_EQ(filter->name, "filter");
+        const std::size_t k = isFirst ? 0 : 1;
+        ASSERT_EQ(filter->alternatives.at(k).name, isFirst ? "qr1" : "qr2");
+        std::get<ChoiceSlot>(filter->slot(&options)).set({k});
+        FilteredQr qr(options);
+        qr.prepend(1e-4 * VectorXd::Unit(4, 1));
+        EXPECT_EQ(qr.prepend(VectorXd::Unit(4, 0)).empty(), !isFirst);
+    }
+}
+
+TEST(FilteredQr, restored_one_replaces_what_was_there) {
+    FilteredQr saved({QrFilter::qr2, 0});
+    saved.prepend(VectorXd::Unit(3, 0) + VectorXd::Unit(3, 1));
+    std::vector<std::uint8_t> bytes;
+    StateWriter written(bytes);
+    saved.save(written);
+    FilteredQr qr({QrFilter::qr2, 0});
+    qr.prepend(VectorXd::Unit(3, 2));
+    qr.prepend(VectorXd::Unit(3, 1));
+    StateReader state(bytes);
+    qr.restore(state);
+    expectFactors(qr, {VectorXd::Unit(3, 0) + VectorXd::Unit(3, 1)});
+}
+
+TEST(FilteredQr, saved_factor_that_is_not_square_is_refused) {
+    std::vector<std::uint8_t> bytes;
+    StateWriter written(bytes);
+    written.matrix(MatrixXd::Zero(3, 2));
+    written.matrix(VectorXd::Zero(3));
+    written.matrix(VectorXd::Zero(3));
+    StateReader state(bytes);
+    FilteredQr qr({QrFilter::qr2, 0});
+    EXPECT_THROW(qr.restore(state), channel::PeerError);
 }
 
 } // namespace

@@ -94,12 +94,12 @@ TEST(IqnIls, a_rejected_step_teaches_nothing) {
 }
 
 TEST(IqnIls, a_move_below_the_fluids_own_error_teaches_nothing) {
-    // |Δx|/|xTilde| is 0.1 here, and signalToNoise 3.
+    // |Δx|/|xTilde| is 0.1 here, |Δx|/|x| a half, and signalToNoise 3.
     const auto nColumnsAtResidual = [](double fluidResidual) {
         IqnIls method{IqnIls::Options()};
         method.beginTimeStep();
-        method.next(VectorXd::Constant(2, 0.9), VectorXd::Constant(2, 1), fluidResidual);
-        method.next(VectorXd::Constant(2, 1.0), VectorXd::Constant(2, 1), fluidResidual);
+        method.next(VectorXd::Constant(2, 0.1), VectorXd::Constant(2, 1), fluidResidual);
+        method.next(VectorXd::Constant(2, 0.2), VectorXd::Constant(2, 1), fluidResidual);
         return method.nColumns();
     };
     EXPECT_EQ(nColumnsAtResidual(0.03), 1);
@@ -146,6 +146,21 @@ TEST(IqnIls, small_columns_are_dropped_at_the_end_of_their_step) {
     };
     EXPECT_EQ(nKept(0.05), 1);
     EXPECT_EQ(nKept(0.03), 2);
+}
+
+TEST(IqnIls, columns_of_a_step_are_compared_with_its_own_only) {
+    IqnIls::Options options = bare();
+    options.keepFraction = 0.05;
+    IqnIls method(options);
+    VectorXd x = VectorXd::Zero(2);
+    for (const double length : {100.0, 1.0}) { // the second step's are all below 5 % of 100
+        method.beginTimeStep();
+        method.next(x, x / 2, 0);
+        x += length * VectorXd::Unit(2, length == 100.0 ? 0 : 1);
+        method.next(x, x / 2, 0);
+        method.acceptTimeStep();
+    }
+    EXPECT_EQ(method.nColumns(), 2);
 }
 
 } // namespace

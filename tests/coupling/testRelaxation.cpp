@@ -79,5 +79,21 @@ TEST(Aitken, a_residual_that_does_not_change_leaves_the_factor) {
     EXPECT_EQ(aitken.next(x, VectorXd::Ones(1), 0)[0], Aitken::Options().initialRelaxation);
 }
 
+TEST(Aitken, drift_of_the_fluid_at_the_same_displacement_leaves_the_factor) {
+    Aitken aitken{Aitken::Options()};
+    aitken.beginTimeStep();
+    const VectorXd x = VectorXd::Zero(1);
+    aitken.next(x, VectorXd::Ones(1), 0);
+    aitken.next(x, VectorXd::Constant(1, 0.5), 0);
+    EXPECT_EQ(aitken.relaxation(), Aitken::Options().initialRelaxation);
+}
+
+TEST(Aitken, takes_its_smallest_factor_where_a_step_ahead_has_increased_the_residual) {
+    // xTilde = 2 x + 1: its fixed point -1 lies behind, which no factor above 0 leads to.
+    Aitken aitken{Aitken::Options()};
+    iterated(aitken, scalarResponse(2), 2);
+    EXPECT_EQ(aitken.relaxation(), Aitken::Options().minRelaxation);
+}
+
 } // namespace
 } // namespace tokay::coupling

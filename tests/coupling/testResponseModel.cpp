@@ -151,5 +151,83 @@ TEST(ResponseModel, rank_stays_bounded) {
     }
 }
 
+/// A response of -sizes[k] in direction k, known from a step of the length before.
+ResponseModel knownBefore(const std::vector<double>& sizes, double ratio) {
+    ResponseModel model(withoutLeastNoise());
+    model.beginTimeStep();
+    for (std::size_t k = 0; k < sizes.size(); ++k) {
+        const VectorXd v = VectorXd::Unit(n, static_cast<Eigen::Index>(k));
+        model.learn(v, -sizes[k] * v, 0);
+    }
+    model.acceptTimeStep();
+    model.changeTimeStep(ratio);
+    model.beginTimeStep();
+    return model;
+}
+
+void learn(ResponseModel& model, int direction, double size, double noise = 0) {
+    model.learn(VectorXd::Unit(n, direction), -size * VectorXd::Unit(n, direction), noise);
+}
+
+double responseIn(const ResponseModel& model, int direction) {
+    return -model.matrix().apply(VectorXd::Unit(n, direction), n)[direction];
+}
+
+TEST(ResponseModel, differences_in_a_step_of_another_length_count_whatever_their_size) {
+    // One mode of inertia, a thousand times as large as one of stiffness, and one not
+    // observed: f that minimises (1 - f)^2 + (1 - 4 f)^2, and 4 f of the response.
+    ResponseModel model = knownBefore({1000, 1, 1}, 2);
+    learn(model, 0, 4000);
+    learn(model, 1, 1);
+    EXPECT_NEAR(responseIn(model, 2), 4 * 5.0 / 17, 1e-12);
+}
+
+TEST(ResponseModel, differences_in_a_step_of_another_length_count_the_less_the_noisier_they_are) {
+    // The stiffness with noise of its own length counts by a half: f minimises
+    // (1 - f)^2 + (1 - 4 f)^2 / 2.
+    ResponseModel model = knownBefore({1, 1, 1}, 2);
+    learn(model, 0, 4);
+    learn(model, 1, 1, 1);
+    EXPECT_NEAR(responseIn(model, 2), 4 * (1 + 2.0) / (1 + 8.0), 1e-12);
+}
+
+TEST(ResponseModel, a_direction_without_a_response_says_nothing_about_the_step) {
+    ResponseModel model = knownBefore({1}, 2);
+    learn(model, 1, 7); // nothing was known of it
+    EXPECT_NEAR(responseIn(model, 0), 4, 1e-13);
+}
+
+TEST(ResponseModel, step_of_another_length_is_judged_by_its_own_differences) {
+    ResponseModel model = knownBefore({1, 1, 1}, 2);
+    learn(model, 0, 1); // stiffness
+    model.acceptTimeStep();
+    EXPECT_NEAR(responseIn(model, 2), 1, 1e-13);
+    model.changeTimeStep(2);
+    model.beginTimeStep();
+    learn(model, 1, 4); // inertia now
+    EXPECT_NEAR(responseIn(model, 2), 4, 1e-13);
+}
+
+TEST(ResponseModel, step_after_one_of_another_length_is_not_rescaled) {
+    ResponseModel model = knownBefore({1, 1, 1}, 2);
+    learn(model, 0, 4);
+    model.acceptTimeStep();
+    model.beginTimeStep();
+    learn(model, 1, 2);
+    EXPECT_NEAR(responseIn(model, 2), 4, 1e-13);
+}
+
+TEST(ResponseModel, difference_at_the_filters_angle_to_earlier_ones_counts_by_half) {
+    ResponseOptions options;
+    options.filterLimit = 0.02;
+    ResponseModel model(options);
+    model.beginTimeStep();
+    model.learn(VectorXd::Unit(n, 0), VectorXd::Zero(n), 0);
+    VectorXd v = VectorXd::Unit(n, 0);
+    v[1] = 0.02; // the tangent
+    model.learn(v, VectorXd::Unit(n, 3), 0);
+    EXPECT_NEAR(model.matrix().apply(v, n)[3], 0.5, 1e-12);
+}
+
 } // namespace
 } // namespace tokay::coupling
