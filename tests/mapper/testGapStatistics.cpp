@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/expectInputError.hpp"
 #include "mapper/GapStatistics.hpp"
 #include "mapper/nearest/NearestElementMapping.hpp"
 
@@ -54,6 +55,29 @@ TEST(GapStatistics, coverage_is_the_matched_part_of_what_the_points_stand_for) {
     MappingReport report;
     gaps.enter(report);
     EXPECT_EQ(report.coverage, 0.3);
+}
+
+TEST(GapStatistics, gap_at_the_limit_is_matched_and_not_refused) {
+    GapStatistics gaps({0.25, true}, 2);
+    EXPECT_TRUE(gaps.count(Point::Zero(), 0.5, true, false));
+    MappingReport report;
+    EXPECT_NO_THROW(gaps.enter(report));
+    EXPECT_EQ(report.nUnmatched, 0);
+}
+
+TEST(GapStatistics, of_nothing_covers_nothing) {
+    MappingReport report;
+    GapStatistics({0.25, true}, 2).enter(report);
+    EXPECT_EQ(report.coverage, 0);
+    EXPECT_EQ(report.worstPoint, -1);
+}
+
+TEST(GapStatistics, points_are_refused_where_products_of_them_would_overflow) {
+    Points points = Points::Zero(2, 3);
+    points(1, 2) = -1e50;
+    EXPECT_NO_THROW(checkPoints(points));
+    points(1, 2) = -1.01e50;
+    expectInputError([&] { checkPoints(points); }, {"point 1", "1e+50"});
 }
 
 } // namespace tokay::mapper

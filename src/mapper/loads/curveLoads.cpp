@@ -50,7 +50,6 @@ std::vector<double> pieceEnds(const Point& a, const Point& b, double gap,
     std::sort(ends.begin(), ends.end());
     const auto isNext = [](double first, double second) { return second - first < least; };
     ends.erase(std::unique(ends.begin(), ends.end(), isNext), ends.end());
-    ends.back() = 1;
     return ends;
 }
 

@@ -86,10 +86,6 @@ void OffsetMapping::attach(const Point& point, std::vector<int> controlPoints, E
     tangents << frame.a1, frame.a2;
     attachment.tangential =
         (tangents.transpose() * tangents).inverse() * (tangents.transpose() * offset);
-    // Out of the beam's plane there is no motion to follow.
-    if (isBeam_) {
-        attachment.tangential[1] = 0;
-    }
     attachment.reference = position(attachment, frame);
     attachments_.push_back(std::move(attachment));
 }

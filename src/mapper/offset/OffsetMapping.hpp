@@ -14,7 +14,7 @@ namespace tokay::mapper {
 /// linear, and the load transfer is the transpose of its derivative at the current
 /// state. Moments arrive as couples of control point forces; virtual work, sum and
 /// moment of the forces are kept exactly. The tangential part c is zero but for
-/// points beyond an end or an edge (the end face of a beam).
+/// points beyond an end or an edge (the end face of a beam), or beside a beam's plane.
 ///
 /// As a Mapping it is its derivative in the reference configuration; values have
 /// three components.

@@ -109,4 +109,19 @@ TEST(PointCloud, points_halfway_between_two_are_counted_as_ambiguous) {
     EXPECT_EQ(NearestElementMapping(PointCloud(from), to, {1}).report().nAmbiguous, 1);
 }
 
+TEST(SurfaceMesh, slivers_are_faces_as_long_as_they_are_more_than_rounding) {
+    const auto sliver = [](double height) {
+        Points vertices(3, 3);
+        vertices << 0, 0, 0, 1, 0, 0, 0.5, height, 0;
+        return SurfaceMesh(vertices, {{0, 1, 2}}, ValuesAt::vertices);
+    };
+    EXPECT_NO_THROW(sliver(1e-12));
+    expectInputError([&] { sliver(1e-13); }, {"face 0", "no area"});
+}
+
+TEST(SurfaceMesh, size_is_the_diagonal_of_its_box) {
+    const SurfaceMesh mesh = flatMesh(3, 3, FaceKind::triangles, ValuesAt::faces, 2, 1);
+    EXPECT_NEAR(mesh.size(), std::hypot(2, 1), 1e-15);
+}
+
 } // namespace tokay::mapper

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/primitives/primitives.hpp"
 #include "geometry/quadrature/gaussLegendre.hpp"
+#include "geometry/spline/refinement.hpp"
 #include "geometry/trimming/elementQuadrature.hpp"
 #include "mapper/interface/SurfaceMesh.hpp"
 #include "mapper/loads/FaceSizes.hpp"
@@ -12,6 +14,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
+#include <tuple>
 
 using namespace tokay;
 using namespace tokay::mapper;
@@ -140,6 +144,30 @@ VectorXd integralsOver(const SurfaceInterface& splines, int piece) {
     return integrals;
 }
 
+/// Of a triangle on plates of several spans.
+void expectEvenLoad(const FaceMesh& mesh, double longestSide) {
+    const Eigen::RowVector3d centroid = mesh.vertices.colwise().mean();
+    double sides = 0;
+    for (int i = 0; i < 3; ++i) {
+        sides += (mesh.vertices.row((i + 1) % 3) - mesh.vertices.row(i)).squaredNorm();
+    }
+    // Shorter sides of spans in each direction
+    for (const auto& [nX, nY, span] : {std::tuple{8, 4, 0.25}, {2, 8, 0.125}, {16, 2, 0.125}}) {
+        const SurfaceInterface splines = onePatch(geometry::TrimmedPatch(plate(nX, nY)));
+        const LoadPoints loads = integratedLoads(splines, mesh, 0.02);
+        double spread = 0;
+        for (Eigen::Index i = 0; i < loads.points.rows(); ++i) {
+            spread += loads.shares.coeff(i, 0) * (loads.points.row(i) - centroid).squaredNorm();
+        }
+        // Of an even load the mean square of the distance from the centroid is the sum of the
+        // squared sides over 36; points at the centroids of n^2 parts miss 1 / n^2 of it.
+        const int n = static_cast<int>(std::lround(std::sqrt(loads.points.rows())));
+        EXPECT_GE(n, 2 * longestSide / span - 1); // two points a span along the longest side
+        EXPECT_LE(n, 2 * longestSide / span + 1);
+        EXPECT_NEAR(spread, sides / 36, 1.01 / (n * n) * sides / 36);
+    }
+}
+
 } // namespace
 
 TEST(LoadPoints, shares_of_vertices_keep_force_and_moment_with_hanging_nodes_too) {
@@ -186,6 +214,26 @@ TEST(LoadPoints, uniform_traction_on_a_line_is_its_consistent_load_at_any_ratio_
                 << nFaces << " faces, " << nSpans << " spans, degree " << degree;
         }
     }
+}
+
+TEST(LoadPoints, direction_of_edges_does_not_matter_for_the_consistent_load) {
+    FaceMesh mesh = line(3);
+    for (std::vector<int>& face : mesh.faces) {
+        std::swap(face[0], face[1]);
+    }
+    const SplineInterface splines = verticalSpline(2, 10);
+    const VectorXd loads = controlLoads(splines, integratedLoads(splines, mesh), lengths(mesh));
+    // Gauss points are exact on a straight line; closest points end at 1e-12.
+    EXPECT_LT((loads - integralsAlong(splines)).cwiseAbs().maxCoeff(), 1e-11);
+}
+
+TEST(LoadPoints, face_without_area_is_shared_by_its_vertices) {
+    FaceMesh mesh{Points(4, 3), {{0, 1, 2, 3}, {1}, {2, 0}}};
+    mesh.vertices << 0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3;
+    const Eigen::MatrixXd shares = loadsAtVertices(mesh).shares;
+    EXPECT_LT((shares.col(0) - VectorXd::Constant(4, 0.25)).norm(), 1e-15);
+    EXPECT_LT((shares.col(1) - VectorXd::Unit(4, 1)).norm(), 1e-15);
+    EXPECT_LT((shares.col(2) - 0.5 * (VectorXd::Unit(4, 0) + VectorXd::Unit(4, 2))).norm(), 1e-15);
 }
 
 TEST(LoadPoints, vertices_of_faces_larger_than_spans_leave_functions_without_load) {
@@ -257,21 +305,23 @@ TEST(LoadPoints, faces_partly_beyond_a_patch_are_loaded_evenly) {
     // A triangle of which the patch covers less than a half, large beside its spans.
     FaceMesh mesh{Points(3, 3), {{0, 1, 2}}};
     mesh.vertices << 1.5, 0.2, 0, 3.1, 0.4, 0, 1.9, 0.9, 0;
-    const SurfaceInterface splines = onePatch(geometry::TrimmedPatch(plate(8, 4)));
-    const LoadPoints loads = integratedLoads(splines, mesh, 0.02);
-    const Eigen::RowVector3d centroid = mesh.vertices.colwise().mean();
-    double spread = 0, sides = 0;
-    for (Eigen::Index i = 0; i < loads.points.rows(); ++i) {
-        spread += loads.shares.coeff(i, 0) * (loads.points.row(i) - centroid).squaredNorm();
-    }
-    for (int i = 0; i < 3; ++i) {
-        sides += (mesh.vertices.row((i + 1) % 3) - mesh.vertices.row(i)).squaredNorm();
-    }
-    // Of an even load the mean square of the distance from the centroid is the sum of the
-    // squared sides over 36; points at the centroids of n^2 parts miss 1 / n^2 of it.
-    const int n = static_cast<int>(std::lround(std::sqrt(loads.points.rows())));
-    EXPECT_GE(n, 2 * 1.5 / 0.25); // two points a span at least
-    EXPECT_NEAR(spread, sides / 36, 1.01 / (n * n) * sides / 36);
+    expectEvenLoad(mesh, 1.62);
+    // Another one of which it covers all but a hundredth: a corner of a tenth.
+    mesh.vertices << 0.5, 0.2, 0, 2.1, 0.4, 0, 0.9, 0.9, 0;
+    expectEvenLoad(mesh, 1.62);
+}
+TEST(LoadPoints, faces_up_to_half_a_span_take_fewer_points_than_larger_ones) {
+    const auto nPoints = [](double size) {
+        FaceMesh mesh{Points(3, 3), {{0, 1, 2}}};
+        // Its root of the area is the size, in a span of 1 x 1.
+        const double side = std::sqrt(2.0) * size;
+        mesh.vertices << 0.01, 0.01, 0, 0.01 + side, 0.01, 0, 0.01, 0.01 + side, 0;
+        const SurfaceInterface splines = onePatch(geometry::TrimmedPatch(plate(2, 1)));
+        return integratedLoads(splines, mesh, 0.02).points.rows();
+    };
+    EXPECT_EQ(nPoints(0.49), 3); // the rule of degree 2
+    EXPECT_EQ(nPoints(0.04), 3);
+    EXPECT_GT(nPoints(0.51), nPoints(0.49));
 }
 
 TEST(FaceSizes, are_in_lengths_whatever_the_parameters_and_tell_smallest_and_largest) {
@@ -300,4 +350,49 @@ TEST(FaceSizes, ratios_are_those_of_lengths_and_of_roots_of_areas) {
     const FaceSizes ofPlate =
         faceSizes(onePatch(geometry::TrimmedPatch(plate(2, 1))), square); // spans 1 x 1
     EXPECT_NEAR(ofPlate.largest, 0.5, 1e-12);
+}
+
+TEST(FaceSizes, faces_as_large_as_spans_to_rounding_are_not_larger) {
+    // Neither numbers of the line's direction nor twenty-firsts are exact.
+    const Point end(0.3, 0.7, 0.2);
+    const geometry::NurbsCurve curve = refine(geometry::line(Point::Zero(), end), 2, 21);
+    std::vector<int> numbers(static_cast<std::size_t>(curve.nControlPoints()));
+    std::iota(numbers.begin(), numbers.end(), 0);
+    const SplineInterface splines({{curve, numbers, "line"}}, curve.nControlPoints());
+    const auto nOverSpan = [&](int nFaces) {
+        std::vector<Point> points;
+        for (int i = 0; i <= nFaces; ++i) {
+            points.push_back(i / static_cast<double>(nFaces) * end);
+        }
+        return faceSizes(splines, edgesAlong(points)).nOverSpan;
+    };
+    EXPECT_EQ(nOverSpan(21), 0);
+    EXPECT_EQ(nOverSpan(20), 20); // by a twentieth
+}
+
+TEST(FaceSizes, are_relative_to_the_span_at_the_centre_of_the_face) {
+    // Spans of 0.1 and 0.9.
+    Points controlPoints(3, 3);
+    controlPoints << 0, 0, 0, 0.1, 0, 0, 1, 0, 0;
+    const geometry::NurbsCurve curve(geometry::KnotVector(1, {0, 0, 0.1, 1, 1}), controlPoints);
+    const SplineInterface splines({{curve, {0, 1, 2}, "line"}}, 3);
+    FaceMesh mesh{Points(4, 3), {{0, 1}, {2, 3}}};
+    mesh.vertices << 0.02, 0, 0, 0.07, 0, 0, 0.05, 0, 0, 0.95, 0, 0;
+    const FaceSizes sizes = faceSizes(splines, mesh);
+    EXPECT_NEAR(sizes.smallest, 0.5, 1e-12);
+    EXPECT_NEAR(sizes.largest, 1, 1e-12); // its first vertex lies in the short span
+}
+
+TEST(FaceSizes, in_space_are_relative_to_the_span_at_the_centre_of_the_face) {
+    // x = xi^2 and y = eta: an element of 2 xi of its parameters' area.
+    geometry::NurbsSurface surface = refine(geometry::rectangle(Point::Zero(), 1, 1), 2, 2, 1, 1);
+    Points controlPoints = surface.controlPoints();
+    for (Eigen::Index i = 0; i < controlPoints.rows(); ++i) {
+        controlPoints(i, 0) = i % 3 == 2 ? 1 : 0;
+    }
+    const SurfaceInterface splines =
+        onePatch(geometry::TrimmedPatch(surface.withControlPoints(controlPoints)));
+    FaceMesh mesh{Points(4, 3), {{0, 1, 2, 3}}};
+    mesh.vertices << 0.04, 0.1, 0, 0.28, 0.1, 0, 0.28, 0.3, 0, 0.04, 0.3, 0; // around xi = 0.4
+    EXPECT_NEAR(faceSizes(splines, mesh).largest, std::sqrt(0.24 * 0.2 / (2 * 0.4)), 1e-9);
 }

@@ -180,4 +180,19 @@ TEST(EdgeQuadrature, an_edge_that_the_other_one_covers_only_in_part_is_refused) 
     EXPECT_TRUE(contains(refusalOf(half, verticalMesh(3)), "m away"));
 }
 
+TEST(EdgeQuadrature, largest_gap_is_the_distance_of_the_edges) {
+    EXPECT_NEAR(EdgeQuadrature(verticalMesh(3, 0.003), trimmedEdge(0.5), GapLimit()).largestGap(),
+                0.003, 1e-15);
+}
+
+TEST(EdgeTrace, degree_along_a_trimming_curve_is_the_product_with_the_patchs) {
+    // An arc of degree 2 through a patch of degree 2.
+    const geometry::NurbsSurface patch =
+        refine(geometry::rectangle(Point::Zero(), 1, 1), 2, 2, 2, 2);
+    std::vector<int> numbers(static_cast<std::size_t>(patch.nControlPoints()));
+    std::iota(numbers.begin(), numbers.end(), 0);
+    geometry::CurveOnSurface arc(geometry::arc(Point(0.5, 0.5, 0), 0.3, 0, 1), patch);
+    EXPECT_EQ(interfaceCurve(std::move(arc), numbers)->degree(), 4);
+}
+
 } // namespace tokay::mapper

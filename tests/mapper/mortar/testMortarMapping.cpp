@@ -206,6 +206,55 @@ TEST(MortarMapping, a_partly_covered_destination_takes_constants_and_counts_the_
     expectInputError([&] { MortarMapping(from, to, options); }, {"do not lie on each other"});
 }
 
+TEST(MortarMapping, integrals_of_the_sources_functions_are_exact_however_small_their_elements) {
+    Points vertices(4, 3);
+    vertices << 0, 0, 0, 0, 1e-4, 0, 0, 0.7, 0, 0, 1, 0;
+    const CurveInterface from = lineMesh(vertices, {{0, 1}, {1, 2}, {2, 3}});
+    // A hat's integral is half of the lengths beside it.
+    const Eigen::RowVectorXd sums =
+        Eigen::RowVectorXd::Ones(2) *
+        Eigen::MatrixXd(MortarMapping(from, verticalMesh(1)).crossMatrix());
+    EXPECT_NEAR(sums[0], 0.5e-4, 1e-16);
+    EXPECT_NEAR(sums[1], 0.35, 1e-15);
+    EXPECT_NEAR(sums[2], 0.5 * (0.7 - 1e-4 + 0.3), 1e-15);
+}
+
+TEST(MortarMapping, products_on_straight_elements_are_exact_without_extra_points) {
+    MortarOptions options;
+    options.nExtraPoints = 0;
+    for (int degree = 1; degree <= 4; ++degree) {
+        for (int other = 1; other <= 4; ++other) {
+            const SplineInterface a = verticalSpline(degree, 3), b = verticalSpline(other, 4);
+            const MortarMapping there(a, b, options), back(b, a, options);
+            const Eigen::MatrixXd cross = there.crossMatrix();
+            EXPECT_LT((cross.transpose() - Eigen::MatrixXd(back.crossMatrix())).norm(), 1e-14);
+            const Eigen::MatrixXd mass = MortarMapping(b, b).massMatrix();
+            EXPECT_LT((mass - Eigen::MatrixXd(there.massMatrix())).norm(), 1e-14);
+        }
+    }
+}
+
+TEST(MortarMapping, extra_points_find_the_length_of_a_rational_arc) {
+    const SplineInterface arc = quarterCircle(2, 1);
+    const auto error = [&](int nExtraPoints) {
+        MortarOptions options;
+        options.nExtraPoints = nExtraPoints;
+        return std::abs(MortarMapping(arc, arc, options).massMatrix().sum() - std::acos(0.0));
+    };
+    EXPECT_LT(error(2), 0.1 * error(0));
+    EXPECT_LT(error(6), 1e-3 * error(2));
+}
+
+TEST(MortarMapping, points_between_two_sides_that_are_as_near_are_counted_as_ambiguous) {
+    MortarOptions options;
+    options.gapLimit.relative = 0.1;
+    // In the middle of the flap, away from its top.
+    const MortarMapping mapping(flapInterface(), verticalMesh(20), options);
+    EXPECT_GT(mapping.report().nAmbiguous, 0.9 * mapping.report().nPoints);
+    EXPECT_EQ(MortarMapping(flapInterface(), verticalMesh(20, 0.01), options).report().nAmbiguous,
+              0);
+}
+
 TEST(MortarMapping, keeps_constants_and_forces_on_curved_sides_that_do_not_coincide) {
     const SplineInterface circle = quarterCircle(2, 6);
     Points vertices(10, 3);

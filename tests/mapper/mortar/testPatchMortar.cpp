@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 
 namespace tokay::mapper {
 
@@ -108,6 +109,121 @@ TEST(PatchMortar, faces_over_the_seam_of_a_cylinder_are_mapped_once) {
     }
 }
 
+namespace {
+
+/// A sheet of triangles at the height of the upper side of a body, and one at the lower.
+SurfaceMesh twoSheets(double lower, double upper) {
+    const SurfaceMesh sheet = flatMesh(7, 5, FaceKind::triangles, ValuesAt::vertices);
+    const int n = sheet.nValues();
+    Points vertices(2 * n, 3);
+    vertices << sheet.vertices(), sheet.vertices();
+    vertices.topRows(n).col(2).setConstant(lower);
+    vertices.bottomRows(n).col(2).setConstant(upper);
+    SurfaceMesh::Faces faces;
+    for (const int first : {0, n}) {
+        for (int i = 0; i < sheet.nTriangles(); ++i) {
+            const std::array<int, 3> corners = sheet.cornerNumbers(i);
+            faces.push_back({first + corners[0], first + corners[1], first + corners[2]});
+        }
+    }
+    return SurfaceMesh(vertices, faces, ValuesAt::vertices);
+}
+
+/// The plate at z = 0, and another one above it.
+SurfaceInterface twoPlates(double height) {
+    const NurbsSurface lower = plate(4, 3);
+    Points raised = lower.controlPoints();
+    raised.col(2).setConstant(height);
+    const int n = lower.nControlPoints();
+    std::vector<int> numbers(static_cast<std::size_t>(2 * n));
+    std::iota(numbers.begin(), numbers.end(), 0);
+    return SurfaceInterface({{TrimmedPatch(lower), {numbers.begin(), numbers.begin() + n}, "lower"},
+                             {TrimmedPatch(lower.withControlPoints(raised)),
+                              {numbers.begin() + n, numbers.end()},
+                              "upper"}},
+                            2 * n);
+}
+
+/// 0 on the lower half of the values, 3 on the upper one.
+Eigen::VectorXd onUpperSide(int nValues) {
+    Eigen::VectorXd values = Eigen::VectorXd::Zero(nValues);
+    values.tail(nValues / 2).setConstant(3);
+    return values;
+}
+
+} // namespace
+
+TEST(PatchMortar, a_thin_bodys_other_side_is_not_mapped_though_it_lies_within_reach) {
+    const SurfaceInterface splines = twoPlates(0.01);
+    MortarOptions options;
+    options.gapLimit.relative = 0.05;
+    // The fluid's sides lie on the body's or a little outside.
+    for (const double outside : {0.0, 0.002}) {
+        const SurfaceMesh mesh = twoSheets(-outside, 0.01 + outside);
+        const MortarMapping onto(mesh, splines, options), back(splines, mesh, options);
+        const Eigen::VectorXd mapped = onto.apply(onUpperSide(mesh.nValues()));
+        EXPECT_LT((mapped - onUpperSide(splines.nValues())).cwiseAbs().maxCoeff(), 1e-12);
+        const Eigen::VectorXd mappedBack = back.apply(onUpperSide(splines.nValues()));
+        EXPECT_LT((mappedBack - onUpperSide(mesh.nValues())).cwiseAbs().maxCoeff(), 1e-12);
+        for (const MortarMapping* mapping : {&onto, &back}) {
+            EXPECT_NEAR(mapping->massMatrix().sum(), 2 * 2, 1e-12); // the area of both sides
+            EXPECT_NEAR(mapping->report().coverage, 1, 1e-12);
+            EXPECT_NEAR(mapping->report().largestGap, outside, 1e-12);
+        }
+    }
+}
+
+TEST(PatchMortar, quadrature_of_a_higher_degree_finds_the_area_of_a_rational_patch) {
+    const NurbsSurface cylinder = geometry::cylinderPatch(Point::Zero(), 1, 1, 0, pi / 2);
+    Points vertices(2 * 13, 3);
+    SurfaceMesh::Faces faces;
+    for (int i = 0; i < 13; ++i) {
+        const double angle = pi / 2 * i / 12;
+        vertices.row(i) << std::cos(angle), std::sin(angle), 0;
+        vertices.row(13 + i) << std::cos(angle), std::sin(angle), 1;
+        if (i > 0) {
+            faces.push_back({i - 1, i, 13 + i, 12 + i});
+        }
+    }
+    const SurfaceMesh mesh(vertices, faces, ValuesAt::vertices);
+    const SurfaceInterface splines = onePatch(TrimmedPatch(cylinder));
+    const auto error = [&](int degree) {
+        MortarOptions options;
+        options.patchQuadratureDegree = degree;
+        options.singular = SingularMass::minimumNorm;
+        return std::abs(MortarMapping(mesh, splines, options).massMatrix().sum() - pi / 2);
+    };
+    // Degrees of the patch 2 and 1, so that the default is the one of 3.
+    EXPECT_EQ(error(0), error(3));
+    EXPECT_LT(error(8), 1e-2 * error(3));
+    EXPECT_GT(error(1), 10 * error(3));
+}
+
+TEST(PatchMortar, face_whose_corners_lie_far_beyond_the_patch_covers_it) {
+    Points vertices(4, 3);
+    vertices << -5, -4, 0, 6, -4, 0, 6, 5, 0, -5, 5, 0;
+    const SurfaceMesh mesh(vertices, {{0, 1, 2, 3}}, ValuesAt::vertices);
+    const SurfaceInterface splines = onePatch(TrimmedPatch(plate(3, 2)));
+    expectPatchTest(mesh, splines);
+    const MortarMapping mapping(mesh, splines);
+    EXPECT_NEAR(mapping.massMatrix().sum(), 2, 1e-13);
+    EXPECT_NEAR(mapping.report().coverage, 1, 1e-12);
+}
+
+TEST(PatchMortar, control_points_that_are_not_on_the_interface_count_as_no_gap) {
+    // The structure has five more than the patch.
+    const geometry::TrimmedPatch patch(plate(4, 3));
+    std::vector<int> numbers(static_cast<std::size_t>(patch.basis().nControlPoints()));
+    std::iota(numbers.begin(), numbers.end(), 5);
+    const SurfaceInterface splines({{patch, numbers, "patch"}}, 5 + patch.basis().nControlPoints());
+    const SurfaceMesh mesh = flatMesh(6, 4, FaceKind::triangles, ValuesAt::vertices);
+    const MortarMapping mapping(mesh, splines);
+    EXPECT_EQ(mapping.report().nUncovered, 0);
+    const Eigen::VectorXd mapped = mapping.apply(Eigen::VectorXd::Ones(mesh.nValues()));
+    EXPECT_EQ(mapped.head(5).norm(), 0);
+    EXPECT_LT((mapped.tail(mapped.size() - 5).array() - 1).abs().maxCoeff(), 1e-12);
+}
+
 TEST(PatchMortar, the_dual_basis_is_refused) {
     MortarOptions options;
     options.basis = MortarBasis::dual;
@@ -134,6 +250,29 @@ TEST(SurfaceInterface, a_point_over_a_hole_gets_the_rim_of_the_hole) {
     EXPECT_TRUE(rim.converged);
     EXPECT_NEAR(rim.gap, 0.18, 1e-12);
     EXPECT_NEAR(splines.locate(Point(0.9, 0.9, 0)).gap, 0, 1e-14);
+}
+
+TEST(SurfaceInterface, is_closed_along_the_direction_in_which_its_ends_meet) {
+    const auto isClosed = [](double gap) {
+        const NurbsSurface cylinder = geometry::cylinderPatch(Point::Zero(), 1, 1, 0, 2 * pi);
+        Points points = cylinder.controlPoints();
+        points(cylinder.u().nBasis() - 1, 1) -= gap; // at one corner
+        return onePatch(TrimmedPatch(cylinder.withControlPoints(points))).isClosed(0);
+    };
+    using Closed = std::array<bool, 2>;
+    EXPECT_EQ(isClosed(0), (Closed{true, false}));
+    EXPECT_EQ(isClosed(1e-14), (Closed{true, false})); // rounding
+    EXPECT_EQ(isClosed(1e-3), (Closed{false, false}));
+}
+
+TEST(SurfaceInterface, size_is_the_diagonal_of_its_box) {
+    EXPECT_NEAR(twoPatches().size(), std::hypot(2, 1), 1e-15);
+}
+
+TEST(SurfaceInterface, the_middle_of_a_round_hole_is_ambiguous) {
+    // One curve around it: an ellipse, nearest above and below its centre.
+    EXPECT_TRUE(onePatch(holedPlate()).locate(Point(0.9, 0.55, 0)).ambiguous);
+    EXPECT_FALSE(onePatch(holedPlate()).locate(Point(0.9, 0.56, 0)).ambiguous);
 }
 
 TEST(SurfaceInterface, points_as_near_to_two_places_are_ambiguous) {

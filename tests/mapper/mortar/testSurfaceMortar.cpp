@@ -229,4 +229,89 @@ TEST(SurfaceMortar, a_partly_covered_destination_takes_constants_and_counts_the_
     EXPECT_EQ(nZero, mapping.report().nUncovered);
 }
 
+TEST(SurfaceMortar, a_thin_bodys_other_side_is_not_mapped_from_a_little_outside) {
+    // Sides 0.01 apart with the values 0 and 3, the destination 0.002 outside them.
+    const auto twoSheets = [](int n, double lower, double upper) {
+        const SurfaceMesh sheet = flatMesh(n, n, FaceKind::triangles, ValuesAt::vertices, 1, 1, n);
+        const int nVertices = sheet.nValues();
+        Points vertices(2 * nVertices, 3);
+        vertices << sheet.vertices(), sheet.vertices();
+        vertices.topRows(nVertices).col(2).setConstant(lower);
+        vertices.bottomRows(nVertices).col(2).setConstant(upper);
+        SurfaceMesh::Faces faces;
+        for (const int first : {0, nVertices}) {
+            for (int i = 0; i < sheet.nTriangles(); ++i) {
+                const std::array<int, 3> corners = sheet.cornerNumbers(i);
+                faces.push_back({first + corners[0], first + corners[1], first + corners[2]});
+            }
+        }
+        return SurfaceMesh(vertices, faces, ValuesAt::vertices);
+    };
+    const SurfaceMesh from = twoSheets(6, 0, 0.01), to = twoSheets(5, -0.002, 0.012);
+    const auto values = [](const SurfaceMesh& mesh) {
+        Eigen::VectorXd sides = Eigen::VectorXd::Zero(mesh.nValues());
+        sides.tail(mesh.nValues() / 2).setConstant(3);
+        return sides;
+    };
+    MortarOptions options;
+    options.gapLimit.relative = 0.05;
+    const MortarMapping mapping(from, to, options);
+    EXPECT_LT((mapping.apply(values(from)) - values(to)).cwiseAbs().maxCoeff(), 1e-12);
+    EXPECT_NEAR(mapping.massMatrix().sum(), 2, 1e-12);
+    EXPECT_NEAR(mapping.report().largestGap, 0.002, 1e-12);
+}
+
+TEST(SurfaceMortar, mass_of_the_destination_is_the_same_whatever_the_source_holds) {
+    const SurfaceMesh to = flatMesh(4, 5, FaceKind::polygons, ValuesAt::vertices, 2, 1, 3);
+    const MortarMapping ofVertices(flatMesh(6, 5, FaceKind::triangles, ValuesAt::vertices), to);
+    const MortarMapping ofFaces(flatMesh(6, 5, FaceKind::triangles, ValuesAt::faces), to);
+    const Eigen::MatrixXd difference = ofFaces.massMatrix() - ofVertices.massMatrix();
+    EXPECT_LT(difference.cwiseAbs().maxCoeff(), 1e-15);
+}
+
+TEST(SurfaceMortar, the_side_that_faces_of_the_source_turn_to_does_not_matter) {
+    const SurfaceMesh from = flatMesh(6, 5, FaceKind::triangles, ValuesAt::vertices);
+    SurfaceMesh::Faces reversed;
+    for (int i = 0; i < from.nTriangles(); ++i) {
+        const std::array<int, 3> corners = from.cornerNumbers(i);
+        reversed.push_back({corners[0], corners[2], corners[1]});
+    }
+    const SurfaceMesh other(from.vertices(), reversed, ValuesAt::vertices);
+    const SurfaceMesh to = flatMesh(4, 7, FaceKind::triangles, ValuesAt::vertices, 2, 1, 1);
+    const Points values = probeForces(from.nValues());
+    EXPECT_LT((MortarMapping(other, to).apply(values) - MortarMapping(from, to).apply(values))
+                  .cwiseAbs()
+                  .maxCoeff(),
+              1e-12);
+}
+
+TEST(SurfaceMortar, vertices_beyond_the_gap_limit_get_nothing_and_are_counted) {
+    // The source rises from the destination by a tenth along x; the limit is 0.05 at x = 0.5.
+    const SurfaceMesh to = flatMesh(8, 4, FaceKind::triangles, ValuesAt::vertices, 2, 1, 1);
+    const SurfaceMesh flat = flatMesh(6, 5, FaceKind::triangles, ValuesAt::vertices);
+    Points raised = flat.vertices();
+    raised.col(2) = 0.1 * raised.col(0);
+    SurfaceMesh::Faces faces;
+    for (int i = 0; i < flat.nTriangles(); ++i) {
+        const std::array<int, 3> corners = flat.cornerNumbers(i);
+        faces.push_back({corners[0], corners[1], corners[2]});
+    }
+    const SurfaceMesh from(raised, faces, ValuesAt::vertices);
+    MortarOptions options;
+    options.gapLimit = {0.05 / from.size(), false};
+    options.singular = SingularMass::minimumNorm;
+    const MortarMapping mapping(from, to, options);
+    const Eigen::VectorXd mapped = mapping.apply(Eigen::VectorXd::Ones(from.nValues()));
+    int nBeyond = 0;
+    for (int i = 0; i < to.nValues(); ++i) {
+        nBeyond += mapped[i] == 0;
+        if (to.coordinates()(i, 0) > 1) { // a cell and more beyond
+            EXPECT_EQ(mapped[i], 0) << i;
+        }
+    }
+    EXPECT_GT(nBeyond, 0);
+    EXPECT_EQ(mapping.report().nUncovered, nBeyond);
+    EXPECT_NEAR(mapping.report().coverage, 0.25, 0.02); // Gauss points on either side
+}
+
 } // namespace tokay::mapper

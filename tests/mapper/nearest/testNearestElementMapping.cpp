@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/expectInputError.hpp"
+#include "mapper/conservation.hpp"
+#include "mapper/interface/PointCloud.hpp"
 #include "mapper/nearest/NearestElementMapping.hpp"
 #include "mapper/sampleInterfaces.hpp"
 
@@ -100,6 +102,41 @@ TEST(NearestElementMapping, reports_what_it_found) {
     for (const char* word : {"nearest element", "points 60", "100.0 %", "0.004", "point 7"}) {
         EXPECT_NE(report.text().find(word), std::string::npos) << word << report.text();
     }
+}
+
+TEST(NearestElementMapping, moment_that_it_loses_is_that_of_the_forces_over_their_gaps) {
+    // All forces go to the origin, in the middle of two points.
+    Points to(2, 3);
+    to << 0.1, 0, 0, -0.1, 0, 0;
+    const MappingReport report =
+        NearestElementMapping(PointCloud(Points::Zero(1, 3)), to, {1, false}).report();
+    const Points forces = probeForces(2);
+    const double total = forces.rowwise().norm().sum();
+    EXPECT_NEAR(report.momentError, moment(to, forces).norm() / (0.1 * total), 1e-14);
+    EXPECT_LT(report.forceSumError, 1e-15);
+}
+
+namespace {
+
+/// A value that counts by nine tenths only.
+class Leaky : public Discretisation {
+  public:
+    int nValues() const override { return 1; }
+    const Points& coordinates() const override { return origin_; }
+    double size() const override { return 1; }
+    Location locate(const Point&) const override {
+        return {{{0}, Eigen::VectorXd::Constant(1, 0.9)}, 0, true, false};
+    }
+
+  private:
+    Points origin_ = Points::Zero(1, 3);
+};
+
+} // namespace
+
+TEST(NearestElementMapping, error_of_a_constant_is_told) {
+    const MappingReport report = NearestElementMapping(Leaky(), Points::Zero(2, 3)).report();
+    EXPECT_NEAR(report.rowSumError, 0.1, 1e-15);
 }
 
 TEST(NearestElementMapping, refuses_a_gap_and_names_point_gap_and_limit) {

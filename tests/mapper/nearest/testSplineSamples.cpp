@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/primitives/primitives.hpp"
 #include "mapper/mappingProperties.hpp"
 #include "mapper/nearest/SplineSamples.hpp"
 #include "mapper/sampleInterfaces.hpp"
@@ -34,6 +35,16 @@ TEST(SplineSamples, functions_reproduce_linear_fields_at_the_points) {
         const Points field = samples.functions * linearField(splines.coordinates());
         EXPECT_LT((field - linearField(samples.points)).cwiseAbs().maxCoeff(), 1e-13);
     }
+}
+
+TEST(SplineSamples, hold_a_corner_once_whose_pieces_differ_by_rounding_and_close_points_each) {
+    const auto line = [](double from, double to) {
+        return geometry::line(Point(from, 0, 0), Point(to, 0, 0));
+    };
+    const SplineInterface corner(
+        {{line(0, 1), {0, 1}, "first"}, {line(1 + 1e-13, 2), {1, 2}, "second"}}, 3);
+    EXPECT_EQ(splineSamples(corner).points.rows(), 3);
+    EXPECT_EQ(splineSamples(verticalSpline(1, 500)).points.rows(), 501);
 }
 
 } // namespace tokay::mapper

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -204,6 +205,44 @@ TEST(OffsetMapping, refuses_a_point_over_a_pole) {
     Points to(1, 3);
     to << 0, 0, 1.01;
     expectInputError([&] { OffsetMapping(interface, to); }, {"(0, 0, 1.01)", "pole"});
+}
+
+TEST(OffsetMapping, moves_nothing_if_nothing_moves_nor_out_of_a_beams_plane) {
+    for (const Scene& scene : scenes()) {
+        const Points rest = Points::Zero(scene.controlPoints.rows(), 3);
+        EXPECT_EQ(scene.mapping.moved(rest), Points::Zero(scene.points.rows(), 3));
+    }
+    Points to = aroundBeam();
+    to.col(2).setConstant(0.01); // beside the plane
+    const OffsetMapping beside(beam(), to), within(beam(), aroundBeam());
+    const Points state = deformation(beam().coordinates(), true);
+    EXPECT_LT((beside.moved(state) - within.moved(state)).cwiseAbs().maxCoeff(), 1e-14);
+}
+
+TEST(OffsetMapping, numbers_of_control_points_do_not_matter) {
+    const Points state = deformation(beam().coordinates(), true);
+    const int nBeam = static_cast<int>(state.rows());
+    std::vector<int> reversed = consecutive(nBeam);
+    std::reverse(reversed.begin(), reversed.end());
+    const SplineInterface axis({{beam().pieces()[0].curve, reversed, "beam"}}, nBeam);
+    EXPECT_EQ(OffsetMapping(axis, aroundBeam()).moved(state.colwise().reverse()),
+              OffsetMapping(beam(), aroundBeam()).moved(state));
+    const Points bent = deformation(shell().coordinates(), false);
+    const int nShell = static_cast<int>(bent.rows());
+    reversed = consecutive(nShell);
+    std::reverse(reversed.begin(), reversed.end());
+    const SurfaceInterface middle({{shell().piece(0).patch, reversed, "shell"}}, nShell);
+    EXPECT_EQ(OffsetMapping(middle, aroundShell()).moved(bent.colwise().reverse()),
+              OffsetMapping(shell(), aroundShell()).moved(bent));
+}
+
+TEST(OffsetMapping, points_as_near_to_all_of_an_arc_are_counted_as_ambiguous) {
+    Points to(2, 3);
+    to << 0, 0, 0, 0.9, 0.1, 0; // the centre, and another point
+    const GapLimit wide{2, false};
+    EXPECT_EQ(OffsetMapping(beam(), to, wide).report().nAmbiguous, 1);
+    to.col(2).setConstant(0.5); // on the cylinder's axis
+    EXPECT_EQ(OffsetMapping(shell(), to, wide).report().nAmbiguous, 1);
 }
 
 } // namespace tokay::mapper
