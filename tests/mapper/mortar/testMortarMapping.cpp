@@ -96,6 +96,7 @@ TEST(MortarMapping, passes_the_patch_test_from_the_dual_basis_too) {
     expectPatchTest(verticalSpline(3, 4), verticalMesh(9), dual());
     const MortarMapping mapping(verticalMesh(7), verticalMesh(5), dual());
     EXPECT_EQ(mapping.massMatrix().nonZeros(), 6) << "M_DD must be diagonal";
+    EXPECT_EQ(mapping.report().method, "mortar, dual basis");
 }
 
 TEST(MortarMapping, passes_the_patch_test_with_trimmed_edges_anywhere) {

@@ -200,9 +200,9 @@ TEST(PatchMortar, quadrature_of_a_higher_degree_finds_the_area_of_a_rational_pat
 }
 
 TEST(PatchMortar, face_whose_corners_lie_far_beyond_the_patch_covers_it) {
-    Points vertices(4, 3);
-    vertices << -5, -4, 0, 6, -4, 0, 6, 5, 0, -5, 5, 0;
-    const SurfaceMesh mesh(vertices, {{0, 1, 2, 3}}, ValuesAt::vertices);
+    Points vertices(3, 3);
+    vertices << -5, -4, 0, 8, -4, 0, 0, 7, 0;
+    const SurfaceMesh mesh(vertices, {{0, 1, 2}}, ValuesAt::vertices);
     const SurfaceInterface splines = onePatch(TrimmedPatch(plate(3, 2)));
     expectPatchTest(mesh, splines);
     const MortarMapping mapping(mesh, splines);

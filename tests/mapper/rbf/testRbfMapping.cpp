@@ -285,4 +285,71 @@ TEST(RbfMapping, refuses_coinciding_points_too_many_points_and_far_ones) {
     expectInputError([] { radialKernelFromName("gauss"); }, {"gauss", "thinPlate"});
 }
 
+namespace {
+
+/// Distance of the point from which the k-th neighbour is farthest.
+double farthestNeighbour(const Points& points, int k) {
+    double farthest = 0;
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
+        std::vector<double> distances;
+        for (Eigen::Index j = 0; j < points.rows(); ++j) {
+            distances.push_back((points.row(j) - points.row(i)).norm());
+        }
+        std::sort(distances.begin(), distances.end()); // the first is the point itself
+        farthest = std::max(farthest, distances[static_cast<std::size_t>(k)]);
+    }
+    return farthest;
+}
+
+/// nX x nY x nZ points, 1 apart.
+Points grid(int nX, int nY, int nZ) {
+    Points points(nX * nY * nZ, 3);
+    for (int i = 0; i < nX * nY * nZ; ++i) {
+        points.row(i) << i % nX, i / nX % nY, i / (nX * nY);
+    }
+    return points;
+}
+
+double radiusOf(const Points& points, RbfOptions options) {
+    options.solution = RbfSolution::global;
+    return RbfMapping(points, points, options).radius();
+}
+
+} // namespace
+
+TEST(RbfMapping, radius_of_compact_kernels_reaches_the_neighbours_of_the_loneliest_point) {
+    Points points(5, 3);
+    points << 10, 0, 0, 3, 0, 0, 2, 0, 0, 1, 0, 0, 0, 0, 0;
+    RbfOptions options = with(RadialKernel::compactC2);
+    options.nNeighbours = 1;
+    EXPECT_EQ(radiusOf(points, options), 7);
+    options.nNeighbours = 2;
+    EXPECT_EQ(radiusOf(points, options), 8);
+    options.radius = 5; // as it is given
+    EXPECT_EQ(radiusOf(points, options), 5);
+}
+
+TEST(RbfMapping, compact_kernels_have_so_many_neighbours_on_curves_surfaces_and_in_space) {
+    const RbfOptions options = with(RadialKernel::compactC2);
+    for (const auto& [points, nNeighbours] :
+         {std::pair{grid(20, 1, 1), 12}, {grid(10, 9, 1), 40}, {grid(6, 5, 5), 80}}) {
+        EXPECT_NEAR(radiusOf(points, options), farthestNeighbour(points, nNeighbours), 1e-12);
+    }
+}
+
+TEST(RbfMapping, source_points_that_coincide_to_rounding_are_refused) {
+    Points points = grid(4, 3, 1);
+    points.row(7) = points.row(2);
+    points(7, 0) += 1e-13;
+    expectInputError([&] { RbfMapping(points, points); }, {"point", "coincides"});
+}
+
+TEST(RbfMapping, memory_of_the_partition_of_unity_is_that_of_its_blocks_at_least) {
+    const Points points = grid(20, 20, 1);
+    RbfOptions options;
+    options.solution = RbfSolution::partitionOfUnity;
+    // Each point lies in a ball at least, of 60 source points.
+    EXPECT_GE(RbfMapping(points, points, options).report().bytes, 400 * 60 * sizeof(double));
+}
+
 } // namespace tokay::mapper
