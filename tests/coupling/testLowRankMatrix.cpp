@@ -32,6 +32,18 @@ TEST(LowRankMatrix, is_the_sum_of_its_terms) {
     EXPECT_EQ(matrix.rank(), 3);
 }
 
+TEST(LowRankMatrix, truncated_is_what_it_was_before_further_terms) {
+    std::srand(4);
+    LowRankMatrix matrix;
+    matrix.append(MatrixXd::Random(7, 2), MatrixXd::Random(5, 2));
+    const LowRankMatrix before = matrix;
+    matrix.append(MatrixXd::Random(7, 3), MatrixXd::Random(5, 3));
+    matrix.truncate(2);
+    EXPECT_EQ(matrix.A(), before.A());
+    EXPECT_EQ(matrix.B(), before.B());
+    EXPECT_EQ(matrix.columnMarks(), before.columnMarks());
+}
+
 TEST(LowRankMatrix, of_rank_zero_is_the_zero_matrix) {
     LowRankMatrix matrix;
     matrix.compress(3, 0);

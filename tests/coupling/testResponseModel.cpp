@@ -138,6 +138,31 @@ TEST(ResponseModel, a_step_that_is_rejected_twice_is_rescaled_from_the_last_acce
     EXPECT_NEAR(model.matrix().apply(VectorXd::Unit(n, 1), n)[1], 1, 1e-13);
 }
 
+TEST(ResponseModel, a_step_that_was_reset_and_then_rejected_leaves_no_trace) {
+    for (const double ratio : {1.0, 2.0}) {
+        ResponseModel model(withoutLeastNoise());
+        model.beginTimeStep();
+        model.learn(VectorXd::Unit(n, 0), VectorXd::Unit(n, 0), 0);
+        model.learn(VectorXd::Unit(n, 1), VectorXd::Unit(n, 1), 0);
+        model.acceptTimeStep();
+        if (ratio != 1) {
+            model.changeTimeStep(ratio);
+        }
+        model.beginTimeStep();
+        model.learn(VectorXd::Unit(n, 2), VectorXd::Ones(n), 0);
+        model.reset();
+        EXPECT_TRUE(model.isEmpty());
+        model.learn(VectorXd::Unit(n, 0), VectorXd::Ones(n), 0);
+        EXPECT_EQ(model.matrix().rank(), 1);
+        model.rejectTimeStep();
+        EXPECT_EQ(model.matrix().rank(), 2);
+        model.changeTimeStep(2);
+        model.beginTimeStep();
+        model.learn(VectorXd::Unit(n, 0), VectorXd::Unit(n, 0), 0); // stiffness, as before
+        EXPECT_NEAR(model.matrix().apply(VectorXd::Unit(n, 1), n)[1], 1, 1e-13);
+    }
+}
+
 TEST(ResponseModel, rank_stays_bounded) {
     std::srand(5);
     ResponseOptions options;

@@ -17,9 +17,32 @@ constexpr double schemeFactor = 2.25;
 } // namespace
 
 void ResponseModel::beginTimeStep() {
-    atBegin_ = J_;
+    rankAtBegin_ = J_.rank();
+    atBegin_.reset();
+    scaledByAtBegin_ = scaledBy_;
     observed_ = {};
     differences_.clear();
+}
+
+/// J as it was then. Only a step that replaces J needs a copy: most append to it.
+const LowRankMatrix& ResponseModel::atBegin() {
+    if (!atBegin_) {
+        atBegin_ = J_;
+        atBegin_->truncate(rankAtBegin_);
+    }
+    return *atBegin_;
+}
+
+void ResponseModel::reset() {
+    atBegin();
+    J_ = {};
+    observed_ = {};
+    scaledBy_ = 1;
+}
+
+void ResponseModel::rejectTimeStep() {
+    J_ = atBegin();
+    scaledBy_ = scaledByAtBegin_;
 }
 
 void ResponseModel::changeTimeStep(double ratio) {
@@ -34,7 +57,7 @@ void ResponseModel::learn(const VectorXd& v, const VectorXd& w, double noise) {
         return;
     }
     differences_.push_back(difference);
-    J_ = atBegin_;
+    J_ = atBegin();
     J_.scale(bestFactor());
     observed_ = {};
     for (const Difference& each : differences_) {
@@ -44,11 +67,11 @@ void ResponseModel::learn(const VectorXd& v, const VectorXd& w, double noise) {
 
 /// The f that minimises the sum of |w - f J v|² / |w|², each difference counting the less
 /// the closer it is to its noise, between those of inertia alone and of no inertia.
-double ResponseModel::bestFactor() const {
+double ResponseModel::bestFactor() {
     double agreement = 0;
     double size = 0;
     for (const Difference& each : differences_) {
-        const VectorXd expected = atBegin_.apply(each.v, each.w.size());
+        const VectorXd expected = atBegin().apply(each.v, each.w.size());
         const double signal = each.v.squaredNorm();
         const double scale = each.w.squaredNorm() * (signal + each.noise * each.noise);
         if (scale > 0) {

@@ -4,6 +4,7 @@
 #include "coupling/history/LowRankMatrix.hpp"
 #include "coupling/step/StepHistory.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace tokay::coupling {
@@ -47,15 +48,11 @@ class ResponseModel : public StepHistory {
 
     const LowRankMatrix& matrix() const { return J_; }
 
-    /// Learns anew: J is zero.
-    void reset() {
-        J_ = {};
-        observed_ = {};
-        scaledBy_ = 1;
-    }
+    /// Learns anew: J is zero, unless the step is rejected.
+    void reset();
 
     void acceptTimeStep() override;
-    void rejectTimeStep() override { J_ = atBegin_; }
+    void rejectTimeStep() override;
     void save(StateWriter& state) const override { J_.save(state); }
     void restore(StateReader& state) override {
         J_.restore(state, LowRankMatrix::Rows::ofStructure);
@@ -76,13 +73,16 @@ class ResponseModel : public StepHistory {
     };
 
     void add(const Difference& difference);
-    double bestFactor() const;
+    const LowRankMatrix& atBegin();
+    double bestFactor();
 
     ResponseOptions options_;
     LowRankMatrix J_;
-    LowRankMatrix atBegin_;               ///< J, restored if the step is rejected
-    LowRankMatrix observed_;              ///< 1 - P
-    double scaledBy_ = 1;                 ///< since the last accepted step
+    int rankAtBegin_ = 0;                  ///< a step appends to J
+    std::optional<LowRankMatrix> atBegin_; ///< J at the step's begin; none: J has its columns yet
+    LowRankMatrix observed_;               ///< 1 - P
+    double scaledBy_ = 1;                  ///< since the last accepted step
+    double scaledByAtBegin_ = 1;
     std::vector<Difference> differences_; ///< of the step, if it is of another length
 };
 

@@ -42,6 +42,13 @@ void LowRankMatrix::append(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
     markColumnsFrom(first);
 }
 
+void LowRankMatrix::truncate(int rank) {
+    assert(rank >= 0 && rank <= this->rank());
+    A_.conservativeResize(Eigen::NoChange, rank);
+    B_.conservativeResize(Eigen::NoChange, rank);
+    columnMarks_.resize(static_cast<std::size_t>(rank));
+}
+
 void LowRankMatrix::scale(double factor) {
     A_ *= factor;
     markColumnsFrom(0);

@@ -38,6 +38,10 @@ class LowRankMatrix {
     /// Adds A Bᵀ; A and B have as many columns as the term has rank.
     void append(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 
+    /// Keeps the first columns of A and B, and their marks.
+    /// @param rank  their number, at most rank()
+    void truncate(int rank);
+
     /// Keeps at most maxRank singular values, and none below relativeLimit
     /// times the largest. The error in the 2-norm is the first that is left
     /// out.
