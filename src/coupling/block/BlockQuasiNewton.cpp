@@ -120,7 +120,7 @@ CouplingIteration BlockQuasiNewton::accept(const VectorXd& finalForces, double l
     const VectorXd d =
         structure_.solveFor(loads + model_.matrix().apply(next.x - now_.x, loads.size()), next.d);
     const VectorXd xTilde = structure_.displacements(d);
-    const double residual = criteria_.displacementResidual(now_.x, xTilde);
+    const double residual = criteria_.finalResidual(now_.x, xTilde, finalForces);
     if (!(residual < limit)) {
         next_ = now_; // where the fluid has stayed
         return {now_.x, residual, false};

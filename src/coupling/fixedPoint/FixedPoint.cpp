@@ -46,7 +46,7 @@ CouplingIteration FixedPoint::accept(const VectorXd& finalForces, double limit) 
     assert(deltaT_ > 0);
     const VectorXd xTilde = structure_.solve(finalForces);
     const double residual =
-        accelerator_->iterates() ? criteria_.displacementResidual(x_, xTilde) : 0;
+        accelerator_->iterates() ? criteria_.finalResidual(x_, xTilde, finalForces) : 0;
     if (!(residual < limit)) {
         next_ = x_; // where the fluid has stayed
         return {x_, residual, false};

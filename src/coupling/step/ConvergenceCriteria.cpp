@@ -70,14 +70,19 @@ ConvergenceCriteria::ConvergenceCriteria(const ConvergenceOptions& options, doub
 
 double ConvergenceCriteria::residual(const VectorXd& x, const VectorXd& xTilde,
                                      const VectorXd& forces, std::optional<double> fluidResidual) {
+    flowHasConverged_ = fluidResidual && *fluidResidual < std::min(tolerance_, convergedMomentum);
+    const double result = finalResidual(x, xTilde, forces);
+    previousForces_ = forces;
+    return result;
+}
+
+double ConvergenceCriteria::finalResidual(const VectorXd& x, const VectorXd& xTilde,
+                                          const VectorXd& forces) const {
     const double ofDisplacement = displacementResidual(x, xTilde);
-    const double ratio = forceRatio(forces);
-    const bool fluidHasConverged =
-        fluidResidual && *fluidResidual < std::min(tolerance_, convergedMomentum);
-    if (fluidHasConverged && !options_.hasForceLimits()) {
+    if (flowHasConverged_ && !options_.hasForceLimits()) {
         return ofDisplacement;
     }
-    return std::max(ofDisplacement, tolerance_ * ratio);
+    return std::max(ofDisplacement, tolerance_ * forceRatio(forces));
 }
 
 double ConvergenceCriteria::displacementResidual(const VectorXd& x, const VectorXd& xTilde) const {
@@ -90,16 +95,13 @@ double ConvergenceCriteria::displacementResidual(const VectorXd& x, const Vector
                               std::max(tolerance_ * scale, options_.absoluteDisplacement));
 }
 
-double ConvergenceCriteria::forceRatio(const VectorXd& forces) {
+double ConvergenceCriteria::forceRatio(const VectorXd& forces) const {
     if (!options_.limitsForce()) {
         return 0;
     }
-    const double result =
-        previousForces_.size() == forces.size()
-            ? ratio(rootMeanSquare(forces - previousForces_), allowedForceChange(forces))
-            : unknownRatio;
-    previousForces_ = forces;
-    return result;
+    return previousForces_.size() == forces.size()
+               ? ratio(rootMeanSquare(forces - previousForces_), allowedForceChange(forces))
+               : unknownRatio;
 }
 
 double ConvergenceCriteria::allowedForceChange(const VectorXd& forces) const {

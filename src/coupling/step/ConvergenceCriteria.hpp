@@ -54,7 +54,10 @@ class ConvergenceCriteria {
     /// @throws InputError unless 0 < tolerance <= 1; 1: nothing has to converge
     ConvergenceCriteria(const ConvergenceOptions& options, double tolerance);
 
-    void beginTimeStep() { previousForces_.resize(0); }
+    void beginTimeStep() {
+        previousForces_.resize(0);
+        flowHasConverged_ = false;
+    }
 
     /// @param forces         of this coupling iteration, finite
     /// @param fluidResidual  of the momentum equation; none: there is none
@@ -63,9 +66,11 @@ class ConvergenceCriteria {
                     const Eigen::VectorXd& forces,
                     std::optional<double> fluidResidual = std::nullopt);
 
-    /// The criterion on the displacement alone.
-    /// @throws SolverError if the structural solution is not finite
-    double displacementResidual(const Eigen::VectorXd& x, const Eigen::VectorXd& xTilde) const;
+    /// The same of forces that are to end the step. A flow that had converged in the last
+    /// coupling iteration has done so: since then it has stayed at the same displacement.
+    /// If they do not end it, the next iteration is compared with the last one as well.
+    double finalResidual(const Eigen::VectorXd& x, const Eigen::VectorXd& xTilde,
+                         const Eigen::VectorXd& forces) const;
 
     /// @param forces  of the accepted step
     void acceptTimeStep(const Eigen::VectorXd& forces);
@@ -77,11 +82,13 @@ class ConvergenceCriteria {
     void restore(StateReader& state);
 
   private:
-    double forceRatio(const Eigen::VectorXd& forces);
+    double displacementResidual(const Eigen::VectorXd& x, const Eigen::VectorXd& xTilde) const;
+    double forceRatio(const Eigen::VectorXd& forces) const;
     double allowedForceChange(const Eigen::VectorXd& forces) const;
 
     double tolerance_;
     ConvergenceOptions options_;
+    bool flowHasConverged_ = false; ///< in the last coupling iteration
     Eigen::VectorXd previousForces_;
     double meanForce_ = 0; ///< over the accepted time steps of the run
     int nTimeSteps_ = 0;
