@@ -12,6 +12,10 @@ constexpr int maxIterations = 40;
 /// there in one step, and need not be factored again to notice).
 constexpr double rounding = 1e-11;
 
+/// Factor by which the error may fall less than the imbalance in a Newton iteration, which
+/// hardly shows soft modes beside stiff ones.
+constexpr double softness = 10;
+
 } // namespace
 
 /// L(x(d)) - R(d)
@@ -39,6 +43,10 @@ Eigen::VectorXd BlockSystem::solve(Eigen::VectorXd d, double tolerance) const {
             return nextImbalance.norm() <= (1 - 1e-4 * length) * current.norm();
         };
         const auto isShort = [&] { return length * step.norm() <= tolerance * next.norm(); };
+        const auto isClose = [&] {
+            const double left = softness * nextImbalance.norm() / current.norm();
+            return left * length * step.norm() <= tolerance * next.norm();
+        };
         const bool serves = nextImbalance.norm() <= structure_.reuseContraction() * current.norm();
         if (reuses && !serves) {
             reuses = false; // the same step with a new tangent
@@ -50,7 +58,7 @@ Eigen::VectorXd BlockSystem::solve(Eigen::VectorXd d, double tolerance) const {
             next = d + length * step;
             nextImbalance = imbalance(next);
         }
-        if (isShort() && nextImbalance.allFinite()) {
+        if ((isShort() || isClose()) && nextImbalance.allFinite()) {
             return next;
         }
         if (!hasDecreased()) {

@@ -22,7 +22,8 @@ class BlockSystem {
 
     /// Newton's method with line search, which keeps a tangent as long as it serves.
     /// @param d          start
-    /// @param tolerance  of the last step, relative to d
+    /// @param tolerance  of the error, relative to d: by the last step, or by what that has left
+    ///                   of the imbalance
     /// @throws SolverError if it does not converge
     Eigen::VectorXd solve(Eigen::VectorXd d, double tolerance) const;
 
