@@ -9,6 +9,7 @@ using Eigen::VectorXd;
 void FsiStructure::beginTimeStep(double time, double deltaT) {
     integrator_.beginTimeStep(time, deltaT);
     isLinearised_ = false;
+    residualAt_.resize(0);
     nIterations_ = 0;
 }
 
@@ -29,14 +30,20 @@ VectorXd FsiStructure::solveUnder(const VectorXd& loads) {
     const auto timed = timer_.enter(Phase::solving);
     integrator_.solve(loads);
     isLinearised_ = false;
+    residualAt_.resize(0);                      // prescribed motions may depend on solutions
     linearisedAt_ = integrator_.displacement(); // or near it
     nIterations_ += integrator_.nIterations();
     return integrator_.displacement();
 }
 
+// A coupling method asks for it again where the last Newton iteration has ended.
 VectorXd FsiStructure::residual(const VectorXd& d) {
     const auto timed = timer_.enter(Phase::solving);
-    return integrator_.singleStep().requiredForce(d);
+    if (residualAt_.size() == 0 || residualAt_ != d) {
+        residual_ = integrator_.singleStep().requiredForce(d);
+        residualAt_ = d;
+    }
+    return residual_;
 }
 
 void FsiStructure::linearise(const VectorXd& d) {

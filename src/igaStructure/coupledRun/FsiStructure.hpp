@@ -50,7 +50,9 @@ class FsiStructure : public coupling::CoupledStructure, public coupling::Lineari
     PhaseTimer& timer_;
     Eigen::VectorXd mappedAt_;
     Eigen::VectorXd linearisedAt_; ///< of P
-    bool isLinearised_ = false;    ///< in this time step; K is that of linearisedAt_ then
+    Eigen::VectorXd residualAt_;   ///< displacement that residual_ belongs to; empty: none
+    Eigen::VectorXd residual_;
+    bool isLinearised_ = false; ///< in this time step; K is that of linearisedAt_ then
     int nIterations_ = 0;
 };
 

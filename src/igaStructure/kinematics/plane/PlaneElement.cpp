@@ -73,4 +73,14 @@ void PlaneElement::requireRegular() const {
         x[0], x[1], spanU_ + 1, u_.nSpans(), spanV_ + 1, v_.nSpans(), area_));
 }
 
+void PlaneElementTable::add(const PlaneElement& element) {
+    nPoints_ = element.nPoints();
+    if (areas_.size() % nPoints_ == 0) {
+        nodes_.push_back(element.nodes());
+    }
+    const PlaneElement::Gradients& gradients = element.gradients();
+    gradients_.insert(gradients_.end(), gradients.data(), gradients.data() + gradients.size());
+    areas_.push_back(element.area());
+}
+
 } // namespace tokay::structure

@@ -56,4 +56,36 @@ class PlaneElement {
     double area_ = 0;
 };
 
+/// Gradients and area elements at all quadrature points of a patch, element by element, and
+/// the nodes of each: the reference configuration stays, so they are evaluated once.
+class PlaneElementTable {
+  public:
+    using Gradients = Eigen::Map<const PlaneElement::Gradients>;
+
+    /// Adds the point at which an element stands; points of an element come one after the other.
+    void add(const PlaneElement& element);
+
+    int nElements() const { return static_cast<int>(nodes_.size()); }
+    int nFunctions() const { return static_cast<int>(nodes_.front().size()); }
+    /// Number of quadrature points per element.
+    int nPoints() const { return nPoints_; }
+
+    const std::vector<int>& nodes(int element) const { return nodes_[element]; }
+    Gradients gradients(int element, int point) const {
+        const std::size_t size = 2 * nodes_.front().size();
+        return {&gradients_[size * index(element, point)], 2, nFunctions()};
+    }
+    double area(int element, int point) const { return areas_[index(element, point)]; }
+
+  private:
+    std::size_t index(int element, int point) const {
+        return static_cast<std::size_t>(element) * nPoints_ + point;
+    }
+
+    int nPoints_ = 0;
+    std::vector<std::vector<int>> nodes_;
+    std::vector<double> gradients_; ///< column after column, point after point
+    std::vector<double> areas_;
+};
+
 } // namespace tokay::structure

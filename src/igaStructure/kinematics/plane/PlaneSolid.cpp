@@ -3,7 +3,6 @@
 
 #include "common/errors.hpp"
 #include "igaStructure/assembly/RigidMotions.hpp"
-#include "igaStructure/kinematics/plane/PlaneElement.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -16,16 +15,27 @@ namespace {
 
 using ElementVector = Eigen::Matrix<double, 2, Eigen::Dynamic>;
 
-void gather(const Eigen::VectorXd& global, const PlaneElement& element, ElementVector& local) {
-    for (int a = 0; a < element.nFunctions(); ++a) {
-        local.col(a) = global.segment<2>(2 * element.nodes()[a]);
+void gather(const Eigen::VectorXd& global, const std::vector<int>& nodes, ElementVector& local) {
+    for (std::size_t a = 0; a < nodes.size(); ++a) {
+        local.col(a) = global.segment<2>(2 * nodes[a]);
     }
 }
 
-void scatter(const ElementVector& local, const PlaneElement& element, Eigen::VectorXd& global) {
-    for (int a = 0; a < element.nFunctions(); ++a) {
-        global.segment<2>(2 * element.nodes()[a]) += local.col(a);
+void scatter(const Eigen::Ref<const ElementVector>& local, const std::vector<int>& nodes,
+             Eigen::VectorXd& global) {
+    for (std::size_t a = 0; a < nodes.size(); ++a) {
+        global.segment<2>(2 * nodes[a]) += local.col(a);
     }
+}
+
+// Of the displacement by the coordinates. A general product would cost more in overhead than
+// in operations.
+Eigen::Matrix2d gradient(const ElementVector& u, const PlaneElementTable::Gradients& gradients) {
+    Eigen::Matrix2d H = Eigen::Matrix2d::Zero();
+    for (int a = 0; a < u.cols(); ++a) {
+        H.noalias() += u.col(a) * gradients.col(a).transpose();
+    }
+    return H;
 }
 
 Eigen::Matrix2d symmetric(const Eigen::Vector3d& stress) {
@@ -89,8 +99,12 @@ PlaneSolid::PlaneSolid(geometry::NurbsSurface surface, const PlaneMaterial& mate
                  static_cast<int>(supportNames_.size()));
         supportNames_.push_back(support.name);
     }
-    forEachPoint([](const PlaneElement& element) { element.requireRegular(); },
-                 [](const PlaneElement&) {});
+    forEachPoint(
+        [this](const PlaneElement& element) {
+            element.requireRegular();
+            elements_.add(element);
+        },
+        [](const PlaneElement&) {});
 }
 
 std::vector<std::string> PlaneSolid::supportNames() const {
@@ -119,6 +133,21 @@ void PlaneSolid::forEachPoint(Visit visit, Finish finish) const {
             }
             finish(element);
         }
+    }
+}
+
+template <class Visit, class Finish>
+void PlaneSolid::forEachStrain(const Eigen::VectorXd& displacement, Visit visit,
+                               Finish finish) const {
+    ElementVector u(2, elements_.nFunctions());
+    for (int element = 0; element < elements_.nElements(); ++element) {
+        gather(displacement, elements_.nodes(element), u);
+        for (int point = 0; point < elements_.nPoints(); ++point) {
+            const PlaneElementTable::Gradients gradients = elements_.gradients(element, point);
+            const double volume = elements_.area(element, point) * material_.thickness;
+            visit(point, gradients, volume, strain(gradient(u, gradients)));
+        }
+        finish(elements_.nodes(element));
     }
 }
 
@@ -166,29 +195,28 @@ PlaneSolid::Strain PlaneSolid::strain(const Eigen::Matrix2d& H) const {
 
 StructuralModel::Internal PlaneSolid::internalForce(const Eigen::VectorXd& displacement) const {
     Internal internal{Eigen::VectorXd::Zero(nUnknowns()), 1};
-    ElementVector u(2, u_.nFunctions() * v_.nFunctions());
-    ElementVector force = ElementVector::Zero(2, u.cols());
-    forEachPoint(
-        [&](const PlaneElement& element) {
-            gather(displacement, element, u);
-            const Strain strain = this->strain(u * element.gradients().transpose());
-            const double volume = element.area() * material_.thickness;
+    ElementVector force = ElementVector::Zero(2, elements_.nFunctions());
+    forEachStrain(
+        displacement,
+        [&](int, const PlaneElementTable::Gradients& gradients, double volume,
+            const Strain& strain) {
             const Eigen::Matrix2d firstPiola =
-                strain.gradient * symmetric(stiffness_ * strain.value);
-            force += volume * firstPiola * element.gradients();
+                volume * strain.gradient * symmetric(stiffness_ * strain.value);
+            for (int a = 0; a < force.cols(); ++a) {
+                force.col(a).noalias() += firstPiola * gradients.col(a);
+            }
             internal.smallestVolumeRatio =
                 std::min(internal.smallestVolumeRatio, strain.volumeRatio);
         },
-        [&](const PlaneElement& element) {
-            scatter(force, element, internal.force);
+        [&](const std::vector<int>& nodes) {
+            scatter(force, nodes, internal.force);
             force.setZero();
         });
     return internal;
 }
 
-void PlaneSolid::addTangent(const PlaneElement& element, const Strain& strain, int point,
-                            Workspace& workspace) const {
-    const double volume = element.area() * material_.thickness;
+void PlaneSolid::addTangent(const PlaneElementTable::Gradients& gradients, double volume,
+                            const Strain& strain, int point, Workspace& workspace) const {
     const Eigen::Matrix3d root = std::sqrt(volume) * stiffnessRoot_;
     const Eigen::Matrix2d& F = strain.gradient;
     // Variation of strain by component c of function a: (F_c1 g1, F_c2 g2,
@@ -198,7 +226,6 @@ void PlaneSolid::addTangent(const PlaneElement& element, const Strain& strain, i
         variation[c] << F(c, 0), 0, 0, F(c, 1), F(c, 1), F(c, 0);
         variation[c] = root * variation[c];
     }
-    const auto& gradients = element.gradients();
     for (int a = 0; a < gradients.cols(); ++a) {
         for (int c = 0; c < 2; ++c) {
             workspace.strainRows.block<3, 1>(3 * point, 2 * a + c).noalias() =
@@ -219,43 +246,35 @@ StructuralModel::Internal PlaneSolid::internalForce(const Eigen::VectorXd& displ
     }
     std::fill(tangent.valuePtr(), tangent.valuePtr() + tangent.nonZeros(), 0.0);
     Internal internal{Eigen::VectorXd::Zero(nUnknowns()), 1};
-    ElementVector u(2, u_.nFunctions() * v_.nFunctions());
-    const int nPoints = u_.nPointsPerSpan() * v_.nPointsPerSpan();
-    Workspace workspace(static_cast<int>(u.cols()), nPoints);
-    Eigen::VectorXd strains(3 * nPoints); // sqrt(w) R E
-    int point = 0;
-    forEachPoint(
-        [&](const PlaneElement& element) {
-            gather(displacement, element, u);
-            const Strain strain = this->strain(u * element.gradients().transpose());
-            addTangent(element, strain, point, workspace);
-            strains.segment<3>(3 * point) =
-                std::sqrt(element.area() * material_.thickness) * stiffnessRoot_ * strain.value;
+    Workspace workspace(elements_.nFunctions(), elements_.nPoints());
+    Eigen::VectorXd strains(3 * elements_.nPoints()); // sqrt(w) R E
+    forEachStrain(
+        displacement,
+        [&](int point, const PlaneElementTable::Gradients& gradients, double volume,
+            const Strain& strain) {
+            addTangent(gradients, volume, strain, point, workspace);
+            strains.segment<3>(3 * point) = std::sqrt(volume) * stiffnessRoot_ * strain.value;
             internal.smallestVolumeRatio =
                 std::min(internal.smallestVolumeRatio, strain.volumeRatio);
-            ++point;
         },
-        [&](const PlaneElement& element) {
+        [&](const std::vector<int>& nodes) {
             workspace.multiply(strains_ == Strains::nonlinear);
-            pattern_.add(element.nodes(), workspace.tangent, tangent.valuePtr());
+            pattern_.add(nodes, workspace.tangent, tangent.valuePtr());
             const Eigen::VectorXd force = workspace.strainRows.transpose() * strains;
-            scatter(Eigen::Map<const ElementVector>(force.data(), 2, u.cols()), element,
+            scatter(Eigen::Map<const ElementVector>(force.data(), 2, elements_.nFunctions()), nodes,
                     internal.force);
-            point = 0;
         });
     return internal;
 }
 
 double PlaneSolid::strainEnergy(const Eigen::VectorXd& displacement) const {
     double energy = 0;
-    ElementVector u(2, u_.nFunctions() * v_.nFunctions());
-    forEachPoint(
-        [&](const PlaneElement& element) {
-            gather(displacement, element, u);
-            const Eigen::Vector3d strain = this->strain(u * element.gradients().transpose()).value;
-            energy += 0.5 * element.area() * material_.thickness * strain.dot(stiffness_ * strain);
+    forEachStrain(
+        displacement,
+        [&](int, const PlaneElementTable::Gradients&, double volume, const Strain& strain) {
+            energy += 0.5 * volume * strain.value.dot(stiffness_ * strain.value);
         },
-        [](const PlaneElement&) {});
+        [](const std::vector<int>&) {});
     return energy;
 }
 

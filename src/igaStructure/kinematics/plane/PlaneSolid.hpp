@@ -7,12 +7,11 @@
 #include "igaStructure/assembly/StructuralModel.hpp"
 #include "igaStructure/assembly/TabulatedBasis.hpp"
 #include "igaStructure/kinematics/plane/ExternalForce.hpp"
+#include "igaStructure/kinematics/plane/PlaneElement.hpp"
 #include "igaStructure/kinematics/plane/PlaneMaterial.hpp"
 #include "igaStructure/kinematics/plane/Supports.hpp"
 
 namespace tokay::structure {
-
-class PlaneElement;
 
 /// State of a point of a plane body.
 struct PlaneState {
@@ -76,13 +75,18 @@ class PlaneSolid : public StructuralModel {
     Strain strain(const Eigen::Matrix2d& displacementGradient) const;
 
     struct Workspace;
-    void addTangent(const PlaneElement& element, const Strain& strain, int point,
-                    Workspace& workspace) const;
+    void addTangent(const PlaneElementTable::Gradients& gradients, double volume,
+                    const Strain& strain, int point, Workspace& workspace) const;
 
     // Calls visit(element) at each Gauss point, and finish(element) after the
     // last one of each element.
     template <class Visit, class Finish>
     void forEachPoint(Visit visit, Finish finish) const;
+
+    // Calls visit(point, gradients, volume, strain) at each Gauss point, and
+    // finish(nodes) after the last one of each element.
+    template <class Visit, class Finish>
+    void forEachStrain(const Eigen::VectorXd& displacement, Visit visit, Finish finish) const;
 
     geometry::NurbsSurface surface_;
     PatchNodes nodes_;
@@ -95,6 +99,7 @@ class PlaneSolid : public StructuralModel {
     std::vector<std::string> supportNames_;
     SupportOwners owners_;
     TabulatedBasis u_, v_;
+    PlaneElementTable elements_;
     NodePattern pattern_;
     ExternalForce external_;
     Eigen::VectorXd externalForce_;
