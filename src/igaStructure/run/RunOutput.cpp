@@ -56,11 +56,11 @@ RunOutput::RunOutput(const Case& structureCase, const Body& body, const MotionSt
       iterationTable_(tablePath(structureCase, start.time, "iterations"),
                       {"time[s]", "exchanges", "firstResidual", "lastResidual", "columns",
                        "newtonIterations", "total[s]", "waiting[s]", "mapping[s]", "solving[s]",
-                       "acceleration[s]", "output[s]"}),
+                       "acceleration[s]", "output[s]", "cpu[s]"}),
       energyTable_(tablePath(structureCase, start.time, "energy"),
                    {"time[s]", "kinetic[J]", "strain[J]", "externalWork[J]", "dampingWork[J]"}),
       startTime_(start.time), endTime_(endTime), report_(std::move(report)), start_(Clock::now()),
-      stepStart_(start_) {}
+      stepStart_(start_), processorStart_(std::clock()) {}
 
 void RunOutput::finishStep(const StepReport& step, const MotionState& state,
                            const Energies& energies, PhaseTimer& timer, bool writeResults) {
@@ -71,15 +71,20 @@ void RunOutput::finishStep(const StepReport& step, const MotionState& state,
     const Clock::time_point now = Clock::now();
     const double seconds = secondsBetween(stepStart_, now);
     stepStart_ = now;
+    const std::clock_t processor = std::clock();
+    const double processorSeconds =
+        static_cast<double>(processor - processorStart_) / CLOCKS_PER_SEC;
+    processorStart_ = processor;
     const Clock::time_point tablesStart = Clock::now();
-    writeTables(step, state, energies, timer, seconds);
+    writeTables(step, state, energies, timer, seconds, processorSeconds);
     report_(logLine(step, state, seconds));
     timer.reset();
     timer.add(Phase::output, secondsBetween(tablesStart, Clock::now()));
 }
 
 void RunOutput::writeTables(const StepReport& step, const MotionState& state,
-                            const Energies& energies, const PhaseTimer& timer, double seconds) {
+                            const Energies& energies, const PhaseTimer& timer, double seconds,
+                            double processorSeconds) {
     if (!watch_.isEmpty()) {
         watchTable_.addRow(withTime(state.time, watch_.values(state.displacement)));
     }
@@ -91,7 +96,7 @@ void RunOutput::writeTables(const StepReport& step, const MotionState& state,
                             static_cast<double>(step.nIterations), seconds,
                             timer.seconds(Phase::waiting), timer.seconds(Phase::mapping),
                             timer.seconds(Phase::solving), timer.seconds(Phase::acceleration),
-                            timer.seconds(Phase::output)});
+                            timer.seconds(Phase::output), processorSeconds});
     energyTable_.addRow({state.time, energies.kinetic, energies.strain, energies.externalWork,
                          energies.dampingWork});
 }

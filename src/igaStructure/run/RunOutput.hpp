@@ -11,6 +11,8 @@
 #include "igaStructure/run/Watch.hpp"
 #include "igaStructure/timeIntegration/TimeIntegrator.hpp"
 
+#include <ctime>
+
 namespace tokay::structure {
 
 /// All that a run tells: the log's line and the tables' rows of each time
@@ -35,7 +37,7 @@ class RunOutput {
 
   private:
     void writeTables(const StepReport& step, const MotionState& state, const Energies& energies,
-                     const PhaseTimer& timer, double seconds);
+                     const PhaseTimer& timer, double seconds, double processorSeconds);
     std::string logLine(const StepReport& step, const MotionState& state, double seconds) const;
 
     ResultsLock lock_;
@@ -51,6 +53,7 @@ class RunOutput {
     Report report_;
     std::chrono::steady_clock::time_point start_;
     std::chrono::steady_clock::time_point stepStart_;
+    std::clock_t processorStart_; ///< of the step
 };
 
 } // namespace tokay::structure
