@@ -42,6 +42,16 @@ total()
     expectForce record "$totalForce" 1
 }
 
+property limited "with a limited gradient of the velocity they add up to OpenFOAM's force as well"
+limited()
+{
+    makeCase fluid solid
+    addForces
+    entry system/fvSchemes gradSchemes.default "cellLimited Gauss linear 1"
+    runFluid
+    expectForce record "$totalForce" 1
+}
+
 property pressure "without the viscous part they add up to OpenFOAM's pressure force"
 pressure()
 {

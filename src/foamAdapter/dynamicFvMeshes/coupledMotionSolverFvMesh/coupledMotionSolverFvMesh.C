@@ -55,6 +55,19 @@ bool Foam::coupledMotionSolverFvMesh::isThere(const pointField& coupled) const
 }
 
 
+void Foam::coupledMotionSolverFvMesh::endConditions()
+{
+    auto& patches =
+        lookupObjectRef<pointVectorField>("pointDisplacement")
+       .boundaryFieldRef(false);
+    forAll(patches, patchi)
+    {
+        // Not the patch's own, which would set points that a corner has moved
+        patches[patchi].pointPatchVectorField::evaluate();
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::coupledMotionSolverFvMesh::coupledMotionSolverFvMesh(const IOobject& io)
@@ -68,17 +81,16 @@ Foam::coupledMotionSolverFvMesh::coupledMotionSolverFvMesh(const IOobject& io)
 
 bool Foam::coupledMotionSolverFvMesh::update()
 {
+    motionSolver& solver = const_cast<motionSolver&>(motion());
     // Here pointDisplacement takes the structure's displacement
-    const tmp<pointField> newPoints
-    (
-        const_cast<motionSolver&>(motion()).newPoints()
-    );
+    solver.solve();
     pointField coupled(coupledDisplacement());
     if (isThere(coupled))
     {
+        endConditions();
         return false;
     }
-    fvMesh::movePoints(newPoints());
+    fvMesh::movePoints(solver.curPoints()());
     coupled_.transfer(coupled);
     movedTimeIndex_ = time().timeIndex();
     if (foundObject<volVectorField>("U"))

@@ -8,6 +8,135 @@
 
 #include <cmath>
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Whether the gradient of a field is by Gauss' theorem with linear
+//  interpolation
+bool isGaussLinear(const volVectorField& field)
+{
+    ITstream& scheme = field.mesh().gradScheme("grad(" + field.name() + ')');
+    if (word(scheme) != "Gauss")
+    {
+        return false;
+    }
+    return
+        scheme.nRemainingTokens() == 0
+     || (scheme.nRemainingTokens() == 1 && word(scheme) == "linear");
+}
+
+
+//- Values of a field on the faces of all patches, by linear interpolation
+List<vectorField> onPatchFaces(const volVectorField& field)
+{
+    const surfaceScalarField& weights = field.mesh().weights();
+    List<vectorField> values(field.boundaryField().size());
+    forAll(values, patchi)
+    {
+        const fvPatchVectorField& patch = field.boundaryField()[patchi];
+        if (patch.coupled())
+        {
+            const scalarField& w = weights.boundaryField()[patchi];
+            values[patchi] =
+                w*patch.patchInternalField()
+              + (1.0 - w)*patch.patchNeighbourField();
+        }
+        else
+        {
+            values[patchi] = patch;
+        }
+    }
+    return values;
+}
+
+
+//- Gradient in a cell by Gauss' theorem with linear interpolation
+//  \param onPatches  values of the field on the faces of all patches
+tensor cellGradient
+(
+    const volVectorField& field,
+    const List<vectorField>& onPatches,
+    const label celli
+)
+{
+    const fvMesh& mesh = field.mesh();
+    // In the order of fvc::grad: the sums are the same to the last digit
+    labelList faces(mesh.cells()[celli]);
+    sort(faces);
+    tensor sum(Zero);
+    for (const label facei : faces)
+    {
+        if (mesh.isInternalFace(facei))
+        {
+            const vector& own = field[mesh.owner()[facei]];
+            const vector& nei = field[mesh.neighbour()[facei]];
+            const tensor part
+            (
+                mesh.Sf()[facei]*(mesh.weights()[facei]*(own - nei) + nei)
+            );
+            mesh.owner()[facei] == celli ? sum += part : sum -= part;
+            continue;
+        }
+        const label patchi = mesh.boundaryMesh().whichPatch(facei);
+        const label patchFacei = mesh.boundaryMesh()[patchi].whichFace(facei);
+        // Patches of empty directions have none
+        if (patchFacei < onPatches[patchi].size())
+        {
+            sum +=
+                mesh.Sf().boundaryField()[patchi][patchFacei]
+               *onPatches[patchi][patchFacei];
+        }
+    }
+    return sum/mesh.V()[celli];
+}
+
+
+//- Gradients of a field on the faces of patches: those of the cells there, with
+//  the normal derivative of the patch
+List<tensorField> gradients
+(
+    const volVectorField& field,
+    const labelList& patches
+)
+{
+    List<tensorField> gradients(patches.size());
+    if (!isGaussLinear(field))
+    {
+        const tmp<volTensorField> ofAll(fvc::grad(field));
+        forAll(patches, i)
+        {
+            gradients[i] = ofAll().boundaryField()[patches[i]];
+        }
+        return gradients;
+    }
+    const List<vectorField> onPatches(onPatchFaces(field));
+    forAll(patches, i)
+    {
+        const fvPatch& patch = field.mesh().boundary()[patches[i]];
+        tensorField& ofPatch = gradients[i];
+        ofPatch.setSize(patch.size());
+        forAll(ofPatch, facei)
+        {
+            ofPatch[facei] =
+                cellGradient(field, onPatches, patch.faceCells()[facei]);
+        }
+        const vectorField n(patch.nf());
+        ofPatch +=
+            n
+           *(
+                field.boundaryField()[patches[i]].snGrad()
+              - (n & ofPatch)
+            );
+    }
+    return gradients;
+}
+
+} // End anonymous namespace
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::word Foam::interfaceForce::findPressure
@@ -147,10 +276,10 @@ Foam::vectorField Foam::interfaceForce::operator()
 {
     const List<scalarField> p(pressure_(patches));
 
-    tmp<volTensorField> gradU;
+    List<tensorField> gradU;
     if (viscous_)
     {
-        gradU = fvc::grad(mesh_.lookupObject<volVectorField>(UName_));
+        gradU = gradients(mesh_.lookupObject<volVectorField>(UName_), patches);
     }
 
     DynamicList<vector> forces;
@@ -165,7 +294,7 @@ Foam::vectorField Foam::interfaceForce::operator()
                 Sf
               & (
                     viscosity(patchi)
-                   *dev(twoSymm(gradU().boundaryField()[patchi]))
+                   *dev(twoSymm(gradU[i]))
                 );
         }
         forces.append(force);

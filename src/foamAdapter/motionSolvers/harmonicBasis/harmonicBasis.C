@@ -12,6 +12,10 @@ namespace Foam
 //  turn with it (they would by less than the fourth power of this)
 constexpr scalar minFraction = 0.01;
 
+//- Rows of W that are multiplied by all functions before the next ones: as many
+//  as the processor's first cache has room for, with their products
+constexpr label blockSize = 256;
+
 //- Change of a vector by a rotation (Rodrigues)
 //  \param angle  along the axis, of the angle's length [rad]
 static vector turned(const vector& v, const vector& angle)
@@ -111,6 +115,42 @@ Foam::Field<Type> Foam::harmonicBasis::atRows
     Field<Type> onPoints(boundary_.mesh().nPoints(), Zero);
     UIndirectList<Type>(onPoints, known.rows_) = values;
     return Field<Type>(onPoints, rows_);
+}
+
+
+void Foam::harmonicBasis::addProducts
+(
+    const label set,
+    const label function,
+    const label start,
+    const label end,
+    vectorField& displacement,
+    vectorField& angle
+) const
+{
+    // Both products at once: reading W takes the time
+    const scalarField& values = W_[set][function];
+    const vector coefficient
+    (
+        cmptMultiply(coefficients_[function], sets_[set].ofDisplacement)
+    );
+    if (!rotation_)
+    {
+        for (label row = start; row < end; ++row)
+        {
+            displacement[row] += values[row]*coefficient;
+        }
+        return;
+    }
+    const vector rotation
+    (
+        cmptMultiply(rotations_[function], sets_[set].ofRotation)
+    );
+    for (label row = start; row < end; ++row)
+    {
+        displacement[row] += values[row]*coefficient;
+        angle[row] += values[row]*rotation;
+    }
 }
 
 
@@ -305,29 +345,14 @@ void Foam::harmonicBasis::apply(vectorField& onPoints) const
 {
     vectorField displacement(rows_.size(), Zero);
     vectorField angle(rotation_ ? rows_.size() : 0, Zero);
-    forAll(sets_, set)
+    for (label start = 0; start < rows_.size(); start += blockSize)
     {
-        forAll(W_[set], function)
+        const label end = min(start + blockSize, rows_.size());
+        forAll(sets_, set)
         {
-            // Both products at once: reading W takes the time
-            const scalarField& values = W_[set][function];
-            const vector coefficient
-            (
-                cmptMultiply(coefficients_[function], sets_[set].ofDisplacement)
-            );
-            if (!rotation_)
+            forAll(W_[set], function)
             {
-                displacement += values*coefficient;
-                continue;
-            }
-            const vector rotation
-            (
-                cmptMultiply(rotations_[function], sets_[set].ofRotation)
-            );
-            forAll(values, row)
-            {
-                displacement[row] += values[row]*coefficient;
-                angle[row] += values[row]*rotation;
+                addProducts(set, function, start, end, displacement, angle);
             }
         }
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "couplingResidual.H"
 #include "openfoamVersion.H"
+#include "residualCriteria.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -79,6 +80,7 @@ Foam::couplingResidual::couplingResidual
 )
 :
     pimple_(pimple),
+    algorithm_(pimple.dict().dictName()),
     nCorrectors_(pimple.nCorrPIMPLE()),
     isExplicit_(nCorrectors_ == 1),
     field_
@@ -126,12 +128,12 @@ void Foam::couplingResidual::reportChanges()
 
 Foam::scalar Foam::couplingResidual::toleranceNow() const
 {
-    const dictionary controls
-    (
-        pimple_.dict().subOrEmptyDict("residualControl")
-    );
     const dictionary* const control =
-        controls.findDict(field_.name(), keyType::REGEX);
+        residualCriteria::controlsNow(field_.mesh(), algorithm_).findDict
+        (
+            field_.name(),
+            keyType::REGEX
+        );
     return control ? control->get<scalar>("tolerance") : tolerance_;
 }
 

@@ -71,10 +71,7 @@ void Foam::residualCriteria::reportChange
 
 void Foam::residualCriteria::readControls()
 {
-    const dictionary present
-    (
-        pimple_.dict().subOrEmptyDict("residualControl")
-    );
+    const dictionary& present = controlsNow(mesh_, algorithm_);
     for (const entry& e : present)
     {
         if (!e.isDict())
@@ -131,16 +128,16 @@ void Foam::residualCriteria::readMomentum()
 
 void Foam::residualCriteria::findStill()
 {
-    const vector largest
+    vector largest(Zero);
+    for
     (
-        gMax
-        (
-            cmptMag
-            (
-                mesh_.lookupObject<volVectorField>(UName_).primitiveField()
-            )()
-        )
-    );
+        const vector& U
+      : mesh_.lookupObject<volVectorField>(UName_).primitiveField()
+    )
+    {
+        largest = max(largest, cmptMag(U));
+    }
+    reduce(largest, maxOp<vector>());
     const control* const applied = appliedTo(UName_);
     const scalar tolerance = applied ? applied->tolerance : usualTolerance;
     fraction_ = largest/max(cmptMax(largest), VSMALL);
@@ -266,6 +263,24 @@ Foam::residualCriteria::compareAll() const
 }
 
 
+// * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
+
+const Foam::dictionary& Foam::residualCriteria::controlsNow
+(
+    const fvMesh& mesh,
+    const word& algorithm
+)
+{
+    const dictionary* controls =
+        mesh.solutionDict().findDict(algorithm, keyType::REGEX);
+    if (controls)
+    {
+        controls = controls->findDict("residualControl", keyType::REGEX);
+    }
+    return controls ? *controls : dictionary::null;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::residualCriteria::residualCriteria
@@ -278,6 +293,7 @@ Foam::residualCriteria::residualCriteria
 :
     mesh_(mesh),
     pimple_(pimple),
+    algorithm_(pimple.dict().dictName()),
     couplingName_(couplingName),
     UName_(UName),
     solvesMomentum_(false),

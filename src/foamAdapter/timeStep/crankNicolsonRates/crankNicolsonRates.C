@@ -117,21 +117,21 @@ void Foam::crankNicolsonRates::keepNew() const
         keepMeshFluxes();
     }
     // Not while running through the registry: an old time is registered too
-    for (const word& name : mesh_.sortedNames())
+    DynamicList<regIOobject*> rates;
+    forAllConstIters(mesh_.thisDb(), iter)
     {
-        if (isRate(name) && name != meshFluxRate)
+        if (isRate(iter.key()) && iter.key() != meshFluxRate)
         {
-            regIOobject& rate =
-                const_cast<regIOobject&>
-                (
-                    mesh_.lookupObject<regIOobject>(name)
-                );
-            keepAny<scalar>(rate)
-         || keepAny<vector>(rate)
-         || keepAny<sphericalTensor>(rate)
-         || keepAny<symmTensor>(rate)
-         || keepAny<tensor>(rate);
+            rates.append(iter.val());
         }
+    }
+    for (regIOobject* rate : rates)
+    {
+        keepAny<scalar>(*rate)
+     || keepAny<vector>(*rate)
+     || keepAny<sphericalTensor>(*rate)
+     || keepAny<symmTensor>(*rate)
+     || keepAny<tensor>(*rate);
     }
 }
 

@@ -40,8 +40,25 @@ bool hasPhases(const fvMesh& mesh)
 }
 
 
-//- Extrapolate a field by a factor, and keep what it was. Other than on cells,
-//  the boundary has values of its own.
+//- Extrapolate values by a factor, and keep what they were
+template<class Type>
+void extrapolate
+(
+    Field<Type>& values,
+    Field<Type>& previous,
+    const scalar factor
+)
+{
+    forAll(values, i)
+    {
+        const Type present(values[i]);
+        values[i] += factor*(present - previous[i]);
+        previous[i] = present;
+    }
+}
+
+
+//- The same of a field. Other than on cells, the boundary has values of its own
 void extrapolate
 (
     surfaceScalarField& field,
@@ -49,9 +66,22 @@ void extrapolate
     const scalar factor
 )
 {
-    const surfaceScalarField present("present", field);
-    field == present + factor*(present - previous);
-    previous == present;
+    extrapolate
+    (
+        field.primitiveFieldRef(),
+        previous.primitiveFieldRef(),
+        factor
+    );
+    auto& patches = field.boundaryFieldRef();
+    forAll(patches, patchi)
+    {
+        extrapolate<scalar>
+        (
+            patches[patchi],
+            previous.boundaryFieldRef()[patchi],
+            factor
+        );
+    }
 }
 
 
@@ -63,10 +93,12 @@ void extrapolate
     const scalar factor
 )
 {
-    const Field<Type> present(field.primitiveField());
-    field.primitiveFieldRef() +=
-        factor*(present - previous.primitiveField());
-    previous.primitiveFieldRef() = present;
+    extrapolate
+    (
+        field.primitiveFieldRef(),
+        previous.primitiveFieldRef(),
+        factor
+    );
     field.correctBoundaryConditions();
 }
 
