@@ -15,8 +15,10 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// Fraction of the coupling's tolerance that Newton's method may leave.
+/// Fraction of the coupling's tolerance that Newton's method may leave, in a coupling iteration
+/// and of the accepted solution, whose error over the time step squared is an acceleration.
 constexpr double newtonFraction = 0.1;
+constexpr double acceptedFraction = 0.01;
 
 } // namespace
 
@@ -69,7 +71,7 @@ CouplingIteration BlockQuasiNewton::iterate(const VectorXd& faceForces,
     learn(loads, fluidResidual.value_or(0));
     const double residual =
         criteria_.residual(now_.x, newtonPrediction(loads), faceForces, fluidResidual);
-    next_ = nextState(loads);
+    next_ = nextState(loads, newtonFraction * criteria_.tolerance());
     statistics_.add(residual, criteria_.tolerance(), model_.matrix().rank());
     return {next_.x, residual, statistics_.converged};
 }
@@ -96,10 +98,11 @@ VectorXd BlockQuasiNewton::newtonPrediction(const VectorXd& loads) const {
 }
 
 /// Where the structure is in balance with a fluid that responds to it by J.
-BlockQuasiNewton::InterfaceState BlockQuasiNewton::nextState(const VectorXd& loads) {
+BlockQuasiNewton::InterfaceState BlockQuasiNewton::nextState(const VectorXd& loads,
+                                                             double tolerance) {
     const auto solve = [&] {
         const BlockSystem system(structure_, steps_, loads, now_.x, model_.matrix());
-        return system.solve(now_.d, newtonFraction * criteria_.tolerance());
+        return system.solve(now_.d, tolerance);
     };
     if (!model_.isEmpty()) {
         try {
@@ -116,7 +119,7 @@ CouplingIteration BlockQuasiNewton::accept(const VectorXd& finalForces, double l
     assert(deltaT_ > 0);
     // Loads as they are: the final corrector has had the displacement of the one before.
     const VectorXd loads = structure_.loads(finalForces, now_.d);
-    const InterfaceState next = nextState(loads);
+    const InterfaceState next = nextState(loads, acceptedFraction * criteria_.tolerance());
     const VectorXd d =
         structure_.solveFor(loads + model_.matrix().apply(next.x - now_.x, loads.size()), next.d);
     const VectorXd xTilde = structure_.displacements(d);

@@ -56,7 +56,7 @@ class BlockQuasiNewton : public CouplingMethod {
     InterfaceState at(const Eigen::VectorXd& d) const;
     void learn(const Eigen::VectorXd& loads, double fluidResidual);
     Eigen::VectorXd newtonPrediction(const Eigen::VectorXd& loads) const;
-    InterfaceState nextState(const Eigen::VectorXd& loads);
+    InterfaceState nextState(const Eigen::VectorXd& loads, double tolerance);
 
     const Options options_;
     ConvergenceCriteria criteria_;
