@@ -36,7 +36,6 @@ VectorXd FsiStructure::solveUnder(const VectorXd& loads) {
     return integrator_.displacement();
 }
 
-// A coupling method asks for it again where the last Newton iteration has ended.
 VectorXd FsiStructure::residual(const VectorXd& d) {
     const auto timed = timer_.enter(Phase::solving);
     if (residualAt_.size() == 0 || residualAt_ != d) {
@@ -68,7 +67,11 @@ MatrixXd FsiStructure::responses(const MatrixXd& b) {
 
 VectorXd FsiStructure::displacements(const VectorXd& d) {
     const auto timed = timer_.enter(Phase::mapping);
-    return boundary_.displacements(d);
+    if (displacementsAt_.size() == 0 || displacementsAt_ != d) {
+        displacements_ = boundary_.displacements(d);
+        displacementsAt_ = d;
+    }
+    return displacements_;
 }
 
 MatrixXd FsiStructure::variations(const MatrixXd& D) {

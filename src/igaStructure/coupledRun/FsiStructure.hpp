@@ -50,8 +50,12 @@ class FsiStructure : public coupling::CoupledStructure, public coupling::Lineari
     PhaseTimer& timer_;
     Eigen::VectorXd mappedAt_;
     Eigen::VectorXd linearisedAt_; ///< of P
-    Eigen::VectorXd residualAt_;   ///< displacement that residual_ belongs to; empty: none
+    // A coupling method asks for these again where the last Newton iteration has ended. The
+    // first of a pair is the displacement that the second belongs to; empty: none.
+    Eigen::VectorXd residualAt_;
     Eigen::VectorXd residual_;
+    Eigen::VectorXd displacementsAt_;
+    Eigen::VectorXd displacements_;
     bool isLinearised_ = false; ///< in this time step; K is that of linearisedAt_ then
     int nIterations_ = 0;
 };
