@@ -11,7 +11,7 @@ Description
     new places, and of what the mesh does with them (volumes swept, and all
     geometry that an equation asks for). Of the times it prints the median,
     which leaves out the moves that build something, and of the points' the
-    longest too.
+    longest too, and the memory that the first move has needed at its most.
 
     Entries of system/swingMeshDict: shape (bentAxis, squeeze) and the entries
     of that class; patch; amplitudes [m]; stepsASwing; movesAStep, all to the
@@ -38,7 +38,9 @@ Description
 
 #include <algorithm>
 #include <ctime>
+#include <fstream>
 #include <functional>
+#include <string>
 #include <vector>
 
 using namespace Foam;
@@ -57,6 +59,25 @@ static scalar median(std::vector<scalar> values)
     const auto middle = values.begin() + values.size()/2;
     std::nth_element(values.begin(), middle, values.end());
     return *middle;
+}
+
+
+//- Memory of this process [MB]: VmRSS now, VmHWM at most since resetPeak()
+static scalar memory(const std::string& name)
+{
+    std::ifstream status("/proc/self/status");
+    std::string word;
+    while (status >> word && word != name + ':')
+    {}
+    scalar kilobytes = 0;
+    status >> kilobytes;
+    return 1e-3*kilobytes;
+}
+
+
+static void resetPeak()
+{
+    std::ofstream("/proc/self/clear_refs") << 5;
 }
 
 
@@ -210,6 +231,11 @@ int main(int argc, char *argv[])
         );
     }
 
+    evaluateGeometry(mesh);
+    resetPeak();
+    const scalar memoryBefore = memory("VmRSS");
+    scalar memoryToBuild = 0;
+
     for (const scalar amplitude : dict.get<scalarList>("amplitudes"))
     {
         std::vector<scalar> solving, moving;
@@ -226,6 +252,10 @@ int main(int argc, char *argv[])
                 const scalar start = processorTime();
                 const pointField points(motion->newPoints());
                 const scalar solved = processorTime();
+                if (memoryToBuild == 0)
+                {
+                    memoryToBuild = memory("VmHWM") - memoryBefore;
+                }
                 mesh.movePoints(points);
                 evaluateGeometry(mesh);
                 solving.push_back(solved - start);
@@ -237,7 +267,8 @@ int main(int argc, char *argv[])
         Info<< "amplitude " << amplitude << " nonOrthogonality " << angle
             << " volumeRatio " << ratio << " places " << median(solving)
             << " ms, mesh " << median(moving) << " ms, longest "
-            << *std::max_element(solving.begin(), solving.end()) << " ms"
+            << *std::max_element(solving.begin(), solving.end())
+            << " ms, memory " << memoryToBuild << " MB"
             << endl;
         if (ratio <= 0)
         {

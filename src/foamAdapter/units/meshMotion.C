@@ -2,6 +2,12 @@
 // Compiled together, because reading OpenFOAM's headers takes most of the time
 #include "harmonicBasis.C"
 #include "interfaceFunctions.C"
+#include "coupledFaces.C"
+#include "sparseRows.C"
+#include "smoothedAggregation.C"
+#include "extensionMultigrid.C"
+#include "nonOrthogonalFluxes.C"
+#include "laplaceEquation.C"
 #include "harmonicExtension.C"
 #include "harmonicBasisMotionSolver.C"
 #include "laplacianMotion.C"

@@ -14,7 +14,7 @@ constexpr scalar minFraction = 0.01;
 
 //- Rows of W that are multiplied by all functions before the next ones: as many
 //  as the processor's first cache has room for, with their products
-constexpr label blockSize = 256;
+constexpr label rowsInCache = 256;
 
 //- Change of a vector by a rotation (Rodrigues)
 //  \param angle  along the axis, of the angle's length [rad]
@@ -67,15 +67,32 @@ void Foam::harmonicBasis::extend
 )
 {
     W_ = List<List<scalarField>>(sets_.size(), List<scalarField>(size()));
-    scalarField onPoints(boundary_.mesh().nPoints(), Zero);
+    const label nPoints = boundary_.mesh().nPoints();
     forAll(sets_, set)
     {
         const auto conditions(constraints_.conditions(sets_[set].odd));
-        for (label i = known ? known->size() : 0; i < size(); ++i)
+        for
+        (
+            label first = known ? known->size() : 0;
+            first < size();
+            first += blockSize
+        )
         {
-            UIndirectList<scalar>(onPoints, boundary_.points()) =
-                functions_.values(i);
-            W_[set][i] = extendedRows(extension, onPoints, conditions);
+            List<scalarField> onPoints
+            (
+                min(blockSize, size() - first),
+                scalarField(nPoints, Zero)
+            );
+            forAll(onPoints, i)
+            {
+                UIndirectList<scalar>(onPoints[i], boundary_.points()) =
+                    functions_.values(first + i);
+            }
+            onPoints = extension.extend(onPoints, conditions);
+            forAll(onPoints, i)
+            {
+                W_[set][first + i] = scalarField(onPoints[i], rows_);
+            }
         }
         if (known)
         {
@@ -88,18 +105,27 @@ void Foam::harmonicBasis::extend
 void Foam::harmonicBasis::combine(const label set, harmonicBasis& known)
 {
     List<scalarField>& W = W_[set];
-    for (label i = 0; i < known.size(); ++i)
+    List<scalarField> excess(known.size());
+    forAll(excess, i)
     {
         // What the known function is at the further control points
-        const scalarField excess
-        (
-            functions_.coefficients(known.functions_.values(i))
-        );
+        excess[i] = functions_.coefficients(known.functions_.values(i));
         W[i] = atRows(known, known.W_[set][i]);
         known.W_[set][i].clear();
-        for (label k = known.size(); k < size(); ++k)
+    }
+    // Few rows at a time, which stay in the cache
+    for (label first = 0; first < rows_.size(); first += rowsInCache)
+    {
+        const label end = min(first + rowsInCache, rows_.size());
+        forAll(excess, i)
         {
-            W[i] -= excess[k]*W[k];
+            for (label k = known.size(); k < size(); ++k)
+            {
+                for (label row = first; row < end; ++row)
+                {
+                    W[i][row] -= excess[i][k]*W[k][row];
+                }
+            }
         }
     }
 }
@@ -182,14 +208,62 @@ void Foam::harmonicBasis::keepMovingRows()
 }
 
 
-Foam::scalarField Foam::harmonicBasis::extendedRows
+void Foam::harmonicBasis::setFeet
 (
     const harmonicExtension& extension,
-    const scalarField& onPoints,
-    const List<harmonicExtension::condition>& conditions
+    const pointField& coordinates,
+    scalarField& fractions,
+    List<scalarField>& feet
 ) const
 {
-    return scalarField(extension.extend(onPoints, conditions), rows_);
+    // The fractions come after the axes
+    constexpr label nAxes = vector::nComponents;
+    List<List<harmonicExtension::condition>> conditions(nAxes + 1);
+    DynamicList<label> remaining;
+    for (direction axis = 0; axis < nAxes; ++axis)
+    {
+        if (constraints_.isUsed(axis))
+        {
+            conditions[axis] = constraints_.conditionsOfCoordinate(axis);
+            remaining.append(axis);
+        }
+    }
+    conditions[nAxes] = constraints_.conditions(FixedList<bool, 3>(false));
+    remaining.append(nAxes);
+
+    while (!remaining.empty())
+    {
+        // Those with the same conditions in one block
+        DynamicList<label> group, others;
+        List<scalarField> fields(1, scalarField(coordinates.size(), 1));
+        for (const label i : remaining)
+        {
+            if (conditions[i] != conditions[remaining[0]])
+            {
+                others.append(i);
+                continue;
+            }
+            group.append(i);
+            if (i < nAxes)
+            {
+                fields.append(scalarField(coordinates.component(i)));
+            }
+        }
+        fields = extension.extend(fields, conditions[group[0]]);
+        const scalarField weights(fields[0], rows_);
+        forAll(group, i)
+        {
+            if (group[i] == nAxes)
+            {
+                fractions = weights;
+            }
+            else
+            {
+                feet[group[i]] = scalarField(fields[i + 1], rows_)/weights;
+            }
+        }
+        remaining.transfer(others);
+    }
 }
 
 
@@ -199,16 +273,10 @@ void Foam::harmonicBasis::setOffsets
     const pointField& points0
 )
 {
-    const scalarField ones(points0.size(), 1);
-    const scalarField fractions
-    (
-        extendedRows
-        (
-            extension,
-            ones,
-            constraints_.conditions(FixedList<bool, 3>(false))
-        )
-    );
+    const pointField coordinates(constraints_.frame() & points0);
+    scalarField fractions;
+    List<scalarField> feet(vector::nComponents);
+    setFeet(extension, coordinates, fractions, feet);
     fades_ = pow3(fractions);
     offsets_ = vectorField(rows_.size(), Zero);
     for (direction axis = 0; axis < vector::nComponents; ++axis)
@@ -217,23 +285,13 @@ void Foam::harmonicBasis::setOffsets
         {
             continue;
         }
-        const auto conditions(constraints_.conditionsOfCoordinate(axis));
         const bitSet isGiven(constraints_.coordinateIsGiven(axis));
-        const scalarField coordinate
-        (
-            (constraints_.frame() & points0)().component(axis)
-        );
-        const scalarField feet
-        (
-            extendedRows(extension, coordinate, conditions)
-        );
-        const scalarField weights(extendedRows(extension, ones, conditions));
         forAll(rows_, row)
         {
             if (fractions[row] > minFraction && !isGiven[rows_[row]])
             {
                 offsets_[row][axis] =
-                    coordinate[rows_[row]] - feet[row]/weights[row];
+                    coordinates[rows_[row]][axis] - feet[axis][row];
             }
         }
     }
@@ -345,9 +403,9 @@ void Foam::harmonicBasis::apply(vectorField& onPoints) const
 {
     vectorField displacement(rows_.size(), Zero);
     vectorField angle(rotation_ ? rows_.size() : 0, Zero);
-    for (label start = 0; start < rows_.size(); start += blockSize)
+    for (label start = 0; start < rows_.size(); start += rowsInCache)
     {
-        const label end = min(start + blockSize, rows_.size());
+        const label end = min(start + rowsInCache, rows_.size());
         forAll(sets_, set)
         {
             forAll(W_[set], function)

@@ -17,27 +17,8 @@
 namespace Foam
 {
 
-//- Tolerance of a field for the normalised residual. A field that is a little
-//  off is as smooth, and the mesh moves by the same one to the end of the run
-constexpr scalar tolerance = 1e-9;
-
-//- Enough passes over the explicit part of non-orthogonal meshes, what each has
-//  to gain, and what the last may leave
-constexpr label maxPasses = 30;
-constexpr scalar passGain = 0.1;
-constexpr scalar passTolerance = 1e-6;
-
-//- Controls of the linear solver
-static dictionary controls(const scalar relTol)
-{
-    dictionary controls;
-    controls.add("solver", word("GAMG"));
-    controls.add("smoother", word("GaussSeidel"));
-    controls.add("tolerance", tolerance);
-    controls.add("relTol", relTol);
-    controls.add("maxIter", 1000);
-    return controls;
-}
+//- Correction vectors that are shorter are rounding of an orthogonal mesh
+constexpr scalar orthogonal = 1e-9;
 
 } // End namespace Foam
 
@@ -92,6 +73,16 @@ void Foam::harmonicExtension::setDiffusivity(Istream& type)
 {
     autoPtr<motionDiffusivity> chosen(motionDiffusivity::New(*mesh_, type));
     diffusivity_.reset(limitedDiffusivity(*chosen).ptr());
+    // The scale of the equation, for floats
+    *diffusivity_ /=
+        gAverage
+        (
+            (
+                diffusivity_->primitiveField()
+               *mesh_->magSf().primitiveField()
+               *mesh_->nonOrthDeltaCoeffs().primitiveField()
+            )()
+        );
 }
 
 
@@ -156,63 +147,77 @@ Foam::tmp<Foam::fvScalarMatrix> Foam::harmonicExtension::laplacian
 }
 
 
-Foam::harmonicExtension::laplaceEquation&
-Foam::harmonicExtension::equation(const List<condition>& conditions) const
+bool Foam::harmonicExtension::isCorrected() const
 {
-    if (!equation_.valid() || equation_->conditions != conditions)
+    const surfaceVectorField& corrections = mesh_->nonOrthCorrectionVectors();
+    if (gMax(mag(corrections.primitiveField())()) <= orthogonal)
+    {
+        return false;
+    }
+    // What is explicit in the equation of a field whose gradient is not zero
+    List<condition> conditions;
+    for (const polyPatch& patch : mesh_->boundaryMesh())
+    {
+        conditions.append
+        (
+            polyPatch::constraintType(patch.type())
+          ? condition::ofPatch
+          : condition::zeroGradient
+        );
+    }
+    volScalarField onCells(zeroField(conditions));
+    for (direction axis = 0; axis < vector::nComponents; ++axis)
+    {
+        onCells.primitiveFieldRef() +=
+            mesh_->C().primitiveField().component(axis);
+    }
+    return gMax(mag(laplacian(onCells)().source())()) > 0;
+}
+
+
+Foam::laplaceEquation& Foam::harmonicExtension::equation
+(
+    const List<condition>& conditions
+) const
+{
+    if (!equation_.valid() || conditions_ != conditions)
     {
         equation_.clear();
-        equation_.reset(new laplaceEquation(*this, conditions));
+        conditions_ = conditions;
+        const volScalarField onCells(zeroField(conditions));
+        equation_.reset
+        (
+            new laplaceEquation(laplacian(onCells)(), *faces_, fluxes_.get())
+        );
     }
     return *equation_;
 }
 
 
-void Foam::harmonicExtension::setBoundary
+Foam::List<Foam::scalarBlock> Foam::harmonicExtension::onFaces
 (
-    laplaceEquation& equation,
-    const scalarField& onPoints
+    const UList<scalarField>& onPoints,
+    const List<condition>& conditions
 ) const
 {
     const fvMesh& mesh = *mesh_;
-    forAll(equation.conditions, patchi)
+    List<scalarBlock> values(mesh.nBoundaryFaces(), scalarBlock{});
+    forAll(conditions, patchi)
     {
-        if (equation.conditions[patchi] == condition::given)
+        if (conditions[patchi] == condition::given)
         {
             const polyPatch& patch = mesh.boundaryMesh()[patchi];
-            fvPatchScalarField& onFaces =
-                equation.onCells.boundaryFieldRef()[patchi];
             forAll(patch, facei)
             {
-                onFaces[facei] =
-                    patch[facei].average(mesh.points(), onPoints);
+                scalarBlock& block = values[patch.offset() + facei];
+                forAll(onPoints, i)
+                {
+                    block[i] = patch[facei].average(mesh.points(), onPoints[i]);
+                }
             }
-            // As it enters the equation of the cell beside it
-            equation.matrix.boundaryCoeffs()[patchi] =
-                equation.matrix.internalCoeffs()[patchi]*onFaces;
         }
     }
-}
-
-
-void Foam::harmonicExtension::solve(laplaceEquation& equation) const
-{
-    const int verbosity = solverPerformance::debug;
-    solverPerformance::debug = 0;
-    equation.onCells.primitiveFieldRef() = 0;
-    equation.matrix.source() = 0;
-    const dictionary inPass(controls(isCorrected_ ? passGain : 0));
-    for (label pass = 0; pass < maxPasses; ++pass)
-    {
-        const scalar residual =
-            equation.solver->solve(inPass).initialResidual();
-        if (residual < passTolerance || !isCorrected_)
-        {
-            break;
-        }
-        equation.matrix.source() = laplacian(equation.onCells)().source();
-    }
-    solverPerformance::debug = verbosity;
+    return values;
 }
 
 
@@ -256,19 +261,6 @@ void Foam::harmonicExtension::setKnown
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::harmonicExtension::laplaceEquation::laplaceEquation
-(
-    const harmonicExtension& extension,
-    const List<condition>& theConditions
-)
-:
-    conditions(theConditions),
-    onCells(extension.zeroField(conditions)),
-    matrix(extension.laplacian(onCells)),
-    solver(matrix.solver(controls(0)))
-{}
-
-
 Foam::harmonicExtension::harmonicExtension
 (
     const fvMesh& mesh,
@@ -278,9 +270,11 @@ Foam::harmonicExtension::harmonicExtension
 {
     makeMesh(mesh, points);
     setDiffusivity(diffusivity);
-    isCorrected_ =
-        gMax(mag(mesh_->nonOrthCorrectionVectors().primitiveField())())
-      > tolerance;
+    faces_.reset(new coupledFaces(*mesh_));
+    if (isCorrected())
+    {
+        fluxes_.reset(new nonOrthogonalFluxes(*mesh_, *faces_, *diffusivity_));
+    }
 }
 
 
@@ -306,19 +300,12 @@ Foam::scalar Foam::harmonicExtension::firstCellHeight
 }
 
 
-Foam::scalarField Foam::harmonicExtension::extend
+Foam::scalarField Foam::harmonicExtension::toPoints
 (
-    const scalarField& onPoints,
-    const List<condition>& conditions
+    volScalarField& onCells
 ) const
 {
-    laplaceEquation& equation = this->equation(conditions);
-    setBoundary(equation, onPoints);
-    solve(equation);
-    const volScalarField& onCells = equation.onCells;
-
-    const polyBoundaryMesh& patches = mesh_->boundaryMesh();
-    wordList types(patches.types());
+    wordList types(mesh_->boundaryMesh().types());
     for (word& type : types)
     {
         if (!polyPatch::constraintType(type))
@@ -333,10 +320,45 @@ Foam::scalarField Foam::harmonicExtension::extend
         dimensionedScalar(dimless, Zero),
         types
     );
+    onCells.correctBoundaryConditions();
     volPointInterpolation::New(*mesh_).interpolate(onCells, extended);
-    scalarField values(extended.primitiveField());
-    setKnown(values, onPoints, conditions);
-    return values;
+    return scalarField(extended.primitiveField());
+}
+
+
+Foam::List<Foam::scalarField> Foam::harmonicExtension::extend
+(
+    const UList<scalarField>& onPoints,
+    const List<condition>& conditions
+) const
+{
+    const List<scalarBlock> given(onFaces(onPoints, conditions));
+    const List<scalarBlock> solution(equation(conditions).solve(given));
+    List<scalarField> extended(onPoints.size());
+    volScalarField onCells(zeroField(conditions));
+    forAll(onPoints, i)
+    {
+        forAll(solution, celli)
+        {
+            onCells.primitiveFieldRef()[celli] = solution[celli][i];
+        }
+        forAll(conditions, patchi)
+        {
+            if (conditions[patchi] == condition::given)
+            {
+                fvPatchScalarField& onPatch =
+                    onCells.boundaryFieldRef()[patchi];
+                forAll(onPatch, facei)
+                {
+                    onPatch[facei] =
+                        given[onPatch.patch().patch().offset() + facei][i];
+                }
+            }
+        }
+        extended[i] = toPoints(onCells);
+        setKnown(extended[i], onPoints[i], conditions);
+    }
+    return extended;
 }
 
 
