@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 namespace tokay::structure {
 
@@ -88,7 +89,6 @@ void ExplicitIntegrator::startSupports(double deltaT) {
 double ExplicitIntegrator::stableStep(const VectorXd& displacement) {
     SparseMatrix tangent;
     model_.internalForce(displacement, tangent);
-    setFixedToZero(model_.fixed(), vibration_);
     double square = 0; // of the angular frequency
     for (int k = 0; k < nPowerIterations; ++k) {
         vibration_ /= std::sqrt(vibration_.dot(mass_ * vibration_));
@@ -119,10 +119,22 @@ void ExplicitIntegrator::advancePart(double time, double deltaT) {
     energies_.dampingWork += model_.massDamping() * motion.dot(mass_ * middle);
 }
 
+int ExplicitIntegrator::nPartsUntil(double time) {
+    const double limit = safety * stableStep(state_.displacement);
+    const double nParts = std::ceil((time - state_.time) / limit * (1 - 1e-12));
+    if (!(nParts <= std::numeric_limits<int>::max())) {
+        throw SolverError(fmt::format(
+            "time {:.6g} s: the time step would take {:.3g} parts, stable up to {:.3g} s each: the "
+            "motion has grown beyond all bounds, or the structure is too stiff for explicit time "
+            "integration; use a smaller time.step, or choose another time.scheme",
+            time, nParts, limit));
+    }
+    return static_cast<int>(nParts);
+}
+
 StepEffort ExplicitIntegrator::advance(double time, double /*deltaT*/) {
     const double start = state_.time;
-    const double limit = safety * stableStep(state_.displacement);
-    const auto nParts = static_cast<int>(std::ceil((time - start) / limit * (1 - 1e-12)));
+    const int nParts = nPartsUntil(time);
     const double part = (time - start) / nParts;
     if (isAtStart_) {
         startSupports(part);

@@ -43,6 +43,7 @@ class ExplicitIntegrator : public Stepper {
     Eigen::VectorXd imbalance(const Eigen::VectorXd& velocity) const;
     void startSupports(double deltaT);
     void setAcceleration(const Eigen::VectorXd& velocity, const Eigen::VectorXd& ofSupports);
+    int nPartsUntil(double time);
     void advancePart(double time, double deltaT);
 
     StructuralModel& model_;

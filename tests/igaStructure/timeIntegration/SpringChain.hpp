@@ -3,13 +3,15 @@
 
 #include "igaStructure/assembly/StructuralModel.hpp"
 
+#include <cmath>
 #include <functional>
 #include <optional>
 
 namespace tokay::structure {
 
 /// Bodies in a row with a spring between each two, of force k e + c e^3 for an elongation
-/// e; some are supports that move, some may depend on others.
+/// e; some are supports that move, some may depend on others, and a weak support that moves
+/// may hold the first one by a spring of its own.
 class SpringChain : public StructuralModel {
   public:
     using Motion = std::function<double(double)>;
@@ -29,6 +31,8 @@ class SpringChain : public StructuralModel {
     double damping = 0;                       ///< of the mass [1/s]
     Motion load = [](double) { return 0.0; }; ///< on each body [N]
     std::optional<SparseMatrix> dependence;   ///< the extension
+    double anchor = 0;                        ///< stiffness of the weak support [N/m]
+    Motion anchorMotion = [](double) { return 0.0; }; ///< of the weak support [m]
 
     int nUnknowns() const override { return static_cast<int>(motions_.size()); }
     int nComponents() const override { return 1; }
@@ -55,16 +59,27 @@ class SpringChain : public StructuralModel {
             internal.force[k + 1] += force;
             internal.force[k] -= force;
         }
+        internal.force[0] += anchor * u[0];
         return internal;
     }
     Internal internalForce(const Eigen::VectorXd& u, SparseMatrix& tangent) const override {
         const Eigen::ArrayXd e = u.tail(nUnknowns() - 1) - u.head(nUnknowns() - 1);
         tangent = tridiagonal((stiffness + 3 * cubic * e * e).matrix());
+        tangent.coeffRef(0, 0) += anchor;
         return internalForce(u);
     }
     double strainEnergy(const Eigen::VectorXd& u) const override {
         const Eigen::ArrayXd e = u.tail(nUnknowns() - 1) - u.head(nUnknowns() - 1);
-        return (0.5 * stiffness * e.square() + 0.25 * cubic * e.square().square()).sum();
+        return (0.5 * stiffness * e.square() + 0.25 * cubic * e.square().square()).sum() +
+               0.5 * anchor * u[0] * u[0];
+    }
+    SupportShift supportShift(double time) const override {
+        if (anchor == 0) {
+            return {};
+        }
+        const double d = anchorMotion(time);
+        return {-anchor * d * Eigen::VectorXd::Unit(nUnknowns(), 0), 0.5 * anchor * d * d,
+                std::abs(d)};
     }
     const Eigen::VectorXd& externalForce(double time) override {
         external_ = Eigen::VectorXd::Constant(nUnknowns(), load(time));

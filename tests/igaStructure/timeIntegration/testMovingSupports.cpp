@@ -5,6 +5,7 @@
 #include "igaStructure/timeIntegration/SpringChain.hpp"
 #include "igaStructure/timeIntegration/SubsteppedIntegrator.hpp"
 #include "igaStructure/timeIntegration/naturalModes.hpp"
+#include "igaStructure/timeIntegration/supportRates.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <gmock/gmock.h>
@@ -118,6 +119,24 @@ TEST_P(MovingSupports, begin_with_the_rates_of_their_motion) {
     EXPECT_NEAR(integrator.energies().externalWork, 0.5 * chain.mass * 0.09, 1e-12);
 }
 
+TEST_P(MovingSupports, begin_with_the_rates_of_a_motion_that_is_no_polynomial) {
+    SpringChain chain = this->chain([](double t) { return 0.1 * std::sin(6 * t); });
+    TimeIntegrator integrator(chain, TimeScheme::newmark(0.25, 0.5), tight, 0);
+    integrator.startSupports(deltaT);
+    // The cubic over a thirtieth of the step: w h below 0.01, to the third and second power.
+    EXPECT_NEAR(integrator.state().velocity[2], 0.6, 0.6 * 1e-6);
+    EXPECT_NEAR(integrator.state().acceleration[2], 0, 3.6 * 1e-4);
+}
+
+TEST_P(MovingSupports, are_at_rest_in_the_energies_of_a_static_analysis) {
+    SpringChain chain = this->chain([](double t) { return 3 * t * t - t; });
+    TimeIntegrator integrator(chain, TimeScheme::quasiStatic(), tight, 0);
+    advance(integrator, 4);
+    EXPECT_EQ(integrator.state().acceleration.norm(), 0);
+    EXPECT_EQ(integrator.state().velocity.norm(), 0);
+    EXPECT_EQ(integrator.energies().kinetic, 0);
+}
+
 TEST_P(MovingSupports, react_to_what_they_move) {
     SpringChain chain = this->chain([](double t) { return 0.1 * t * t; });
     chain.load = [](double t) { return 5 * t; };
@@ -164,6 +183,11 @@ TEST_P(MovingSupports, are_followed_in_coupled_runs_too) {
     }
     EXPECT_LT((d - whole.displacement()).norm(), 1e-11);
     EXPECT_LT((parts.requiredForce(d) - force).norm(), 1e-9);
+    const VectorXd reaction = whole.reaction();
+    EXPECT_NEAR(parts.reaction()[2], reaction[2], 1e-8 * std::abs(reaction[2]));
+    // Supports are where they are, whatever is asked for.
+    d[2] += 1;
+    EXPECT_LT((parts.requiredForce(d) - force).norm(), 1e-9);
 }
 
 TEST_P(MovingSupports, move_in_each_substep) {
@@ -179,6 +203,23 @@ TEST_P(MovingSupports, move_in_each_substep) {
     advance(steps, 12);
     EXPECT_LT((substeps.state().displacement - steps.state().displacement).norm(), 1e-11);
     EXPECT_LT((substeps.state().reaction - steps.state().reaction).norm(), 1e-8);
+}
+
+TEST_P(MovingSupports, reaction_jumps_with_the_force_between_steps_of_substeps) {
+    SpringChain chain = this->chain([](double t) { return 0.1 * t * t; });
+    chain.sharedMass = 0.4;
+    SubsteppedIntegrator substeps(chain, TimeScheme::newmark(0.25, 0.5), tight, 0, 3);
+    const VectorXd force{{2.0, -1.0, 3.0}}; // on the support too
+    for (int step = 1; step <= 3; ++step) {
+        substeps.beginTimeStep(step * deltaT, deltaT);
+        substeps.solve(step * step * force);
+        substeps.acceptTimeStep();
+        // Newton's second law for all bodies: springs act between them.
+        const MotionState& state = substeps.state();
+        const double inertia = (chain.massMatrix() * state.acceleration).sum();
+        EXPECT_NEAR(state.force.sum() + state.reaction.sum(), inertia, 1e-9 * std::abs(inertia));
+        EXPECT_EQ(state.force, step * step * force);
+    }
 }
 
 TEST_P(MovingSupports, go_on_from_a_saved_state) {
@@ -222,6 +263,34 @@ TEST_P(MovingSupports, move_an_explicit_structure_as_an_implicit_one) {
                 1e-4 * energies.externalWork);
 }
 
+namespace {
+
+/// A chain whose lumped mass has entries between neighbours, as that of joined beams has.
+class CoupledMasses : public SpringChain {
+  public:
+    using SpringChain::SpringChain;
+    SparseMatrix lumpedMassMatrix() const override { return massMatrix(); }
+};
+
+} // namespace
+
+TEST(MovingSupport, moves_masses_that_are_coupled_with_it_in_explicit_steps_too) {
+    CoupledMasses chain({std::nullopt, [](double t) { return 0.1 * t * t * (1 + t); }});
+    chain.sharedMass = 1.5; // of 2
+    ExplicitIntegrator centralDifferences(chain, 0);
+    TimeIntegrator trapezoidalRule(chain, TimeScheme::newmark(0.25, 0.5), tight, 0);
+    constexpr double step = 1e-3;
+    for (int k = 1; k <= 500; ++k) {
+        centralDifferences.advance(k * step, step);
+        trapezoidalRule.beginTimeStep(k * step, step);
+        trapezoidalRule.solve();
+        trapezoidalRule.acceptTimeStep();
+    }
+    const VectorXd& expected = trapezoidalRule.state().displacement;
+    // The support's acceleration lags by a jerk times the step, 0.6 of 0.2 m/s^2 a second.
+    EXPECT_LT((centralDifferences.state().displacement - expected).norm(), 3e-3 * expected.norm());
+}
+
 TEST(MovingSupport, is_followed_by_the_path_of_arc_length) {
     // Between two supports that part, a cubic chain stretches evenly.
     SpringChain chain(
@@ -237,6 +306,27 @@ TEST(MovingSupport, is_followed_by_the_path_of_arc_length) {
         EXPECT_NEAR(path.state().reaction[2],
                     0.5 * end * chain.stiffness + std::pow(0.5 * end, 3) * chain.cubic, 1e-6);
     }
+}
+
+TEST(MovingSupport, has_exact_rates_in_cubic_motions_on_either_side_of_a_time) {
+    SpringChain chain = threeBodies([](double t) { return 2 - 3 * t + 5 * t * t - 7 * t * t * t; });
+    const double t = 0.3;
+    for (const double interval : {0.2, -0.2}) {
+        const SupportRates rates = supportRates(chain, t, interval);
+        // Rounding of numbers of order 1 over a third of the interval, and over its square.
+        EXPECT_NEAR(rates.velocity[2], -3 + 10 * t - 21 * t * t, 1e-13);
+        EXPECT_NEAR(rates.acceleration[2], 10 - 42 * t, 1e-12);
+        EXPECT_EQ(rates.velocity.head(2).norm() + rates.acceleration.head(2).norm(), 0);
+    }
+}
+
+TEST(MovingSupport, that_starts_within_rounding_of_rest_is_accepted) {
+    const auto start = [](double distance) {
+        SpringChain chain = threeBodies([=](double t) { return distance + t; });
+        requireSupportsAtRest(chain, 0); // size 3
+    };
+    EXPECT_NO_THROW(start(-1e-12));
+    EXPECT_THROW(start(-1e-11), InputError);
 }
 
 TEST(MovingSupport, that_is_displaced_at_the_start_is_refused_in_dynamics) {

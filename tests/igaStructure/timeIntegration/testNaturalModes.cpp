@@ -6,11 +6,14 @@
 #include "igaStructure/run/ResultsLock.hpp"
 #include "igaStructure/run/runModes.hpp"
 #include "igaStructure/tableRows.hpp"
+#include "igaStructure/timeIntegration/Springs.hpp"
 #include "igaStructure/timeIntegration/naturalModes.hpp"
 #include "temporaryDirectory.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 using namespace tokay;
 using namespace tokay::structure;
@@ -97,4 +100,37 @@ TEST(RunModes, a_second_one_that_would_write_the_same_results_is_refused) {
     const ResultsLock first(directory.file("results"), "caseModes", silent);
     EXPECT_THROW(runModes(readCase(directory.write("case.yaml", exampleText())), 1, silent),
                  InputError);
+}
+
+TEST(NaturalModes, frequencies_that_several_modes_share_are_found_as_often_as_they_occur) {
+    // Three springs of each of the lowest stiffnesses, far below the others. From one start
+    // Lanczos' method sees one mode of each but for rounding.
+    constexpr int n = 60;
+    Springs springs(
+        n, [](double u) { return u; }, [](double) { return 1; });
+    springs.mass = 4;
+    springs.factor = [](int k) { return k % 10 == 0 ? 1 + k / 30 : 1e3 + k; };
+    for (int count = 1; count <= 6; ++count) {
+        const NaturalModes modes = naturalModes(springs, count);
+        const MatrixXd product = modes.shapes.transpose() * (springs.massMatrix() * modes.shapes);
+        // The iteration's tolerance.
+        EXPECT_LT((product - MatrixXd::Identity(count, count)).norm(), 1e-9);
+        for (int k = 0; k < count; ++k) {
+            const double stiffness = 1 + k / 3;
+            EXPECT_NEAR(modes.angularFrequencies[k], std::sqrt(stiffness / 4), 1e-9) << k;
+            for (int i = 0; i < n; ++i) {
+                if (springs.factor(i) != stiffness) {
+                    EXPECT_NEAR(modes.shapes(i, k), 0, 1e-7) << i << " of mode " << k;
+                }
+            }
+        }
+    }
+}
+
+TEST(NaturalModes, as_many_as_unknowns_are_refused_and_one_less_is_found) {
+    Springs springs(
+        4, [](double u) { return u; }, [](double) { return 1; });
+    springs.factor = [](int k) { return 1.0 + k; };
+    EXPECT_THROW(naturalModes(springs, 4), InputError);
+    EXPECT_NEAR(naturalModes(springs, 3).angularFrequencies[2], std::sqrt(3), 1e-9);
 }

@@ -182,3 +182,37 @@ TEST(NewtonsMethod, ends_at_the_rounding_error_of_inertia) {
     integrator.beginTimeStep(1e-6, 1e-6);
     EXPECT_EQ(failureOf(integrator, VectorXd::Zero(2)), "no error");
 }
+
+namespace {
+
+double firstResidual(TimeIntegrator& integrator, double start, double force) {
+    integrator.startFrom(one(start));
+    integrator.solve(one(force));
+    return integrator.residuals().front();
+}
+
+} // namespace
+
+TEST(NewtonsMethod, residual_is_relative_to_the_largest_of_load_internal_force_and_inertia) {
+    Springs springs(
+        1, [](double u) { return u + 1e-3 * u * u; }, [](double u) { return 1 + 2e-3 * u; });
+    TimeIntegrator atRest = staticIntegrator(springs, options(1e-10));
+    EXPECT_NEAR(firstResidual(atRest, 0, 5), 1, 1e-12);   // the load alone
+    EXPECT_NEAR(firstResidual(atRest, 5, 1e-6), 1, 1e-5); // the internal force alone
+    EXPECT_NEAR(firstResidual(atRest, 5, 10), 0.5, 1e-2); // 10 - 5 of 10
+    TimeIntegrator inMotion(springs, TimeScheme::newmark(0.25, 0.5), options(1e-10), 0);
+    inMotion.beginTimeStep(1e-3, 1e-3);
+    // Moved by 1 in a millisecond: 4e6 N of inertia.
+    EXPECT_NEAR(firstResidual(inMotion, 1, 1), 1, 1e-5);
+}
+
+TEST(NewtonsMethod, force_that_is_not_finite_is_told_of_any_structure) {
+    for (const bool isLinear : {true, false}) {
+        Springs springs(
+            1, [](double u) { return u; }, [](double) { return 1; });
+        springs.linear = isLinear;
+        TimeIntegrator integrator = staticIntegrator(springs, options(1e-10));
+        EXPECT_THAT(failureOf(integrator, one(NAN)),
+                    HasSubstr("a force on the structure is not finite at time 1 s"));
+    }
+}

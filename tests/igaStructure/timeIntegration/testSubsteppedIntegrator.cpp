@@ -316,3 +316,13 @@ TEST(SubstepsOfLinearFlap, are_stable_with_ten_times_the_mass_added) {
         }
     }
 }
+
+TEST(SubstepsOfNonlinearFlap, begin_their_iterations_where_the_last_solution_ended) {
+    Flap flap("nonlinear");
+    SubsteppedIntegrator integrator = flap.integrator(3);
+    integrator.beginTimeStep(endTime, endTime);
+    integrator.solve(flap.force(endTime));
+    EXPECT_GE(integrator.nIterations(), 2 * 3); // nonlinear in each of the three
+    integrator.solve(flap.force(endTime));
+    EXPECT_EQ(integrator.nIterations(), 0);
+}

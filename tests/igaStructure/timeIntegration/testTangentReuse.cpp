@@ -2,6 +2,8 @@
 #include "common/errors.hpp"
 #include "igaStructure/kinematics/beam/exampleBeam.hpp"
 #include "igaStructure/kinematics/solid/exampleSolid.hpp"
+#include "igaStructure/timeIntegration/SpringChain.hpp"
+#include "igaStructure/timeIntegration/Springs.hpp"
 
 #include <gtest/gtest.h>
 
@@ -136,4 +138,101 @@ TEST(TangentReuse, tangent_that_no_longer_serves_is_replaced) {
     const VectorXd expected = fresh.solve();
     EXPECT_LT((integrator.state().displacement - expected).norm(), 1e-6 * expected.norm());
     EXPECT_GE(integrator.nFactorisations(), 3); // at rest, and for the stretched beam
+}
+
+TEST(TangentReuse, tangent_serves_while_each_iteration_contracts_as_asked_for) {
+    // A tangent of twice the stiffness halves the residual in each iteration.
+    const auto nFactorisations = [](double contraction) {
+        Springs springs(
+            1, [](double u) { return u; }, [](double) { return 1; });
+        springs.factor = [](int) { return 2; };
+        NewtonOptions newton = reusing(contraction);
+        newton.lineSearch = false;
+        newton.maxIterations = 50;
+        TimeIntegrator integrator(springs, TimeScheme::quasiStatic(), newton, 0);
+        integrator.beginTimeStep(1, 1);
+        EXPECT_NEAR(integrator.solve(VectorXd::Ones(1))[0], 1, 1e-7);
+        EXPECT_GT(integrator.nIterations(), 20);
+        return integrator.nFactorisations();
+    };
+    EXPECT_EQ(nFactorisations(0.51), 1);
+    EXPECT_GT(nFactorisations(0.49), 20);
+}
+
+TEST(TangentReuse, kept_tangent_never_makes_the_residual_rise) {
+    // Stiff where it is loaded with 10 N, at 2: there the tangent at rest steps by far too much.
+    Springs springs(
+        1, [](double u) { return u + u * u * u; }, [](double u) { return 1 + 3 * u * u; });
+    TimeIntegrator integrator(springs, TimeScheme::quasiStatic(), reusing(0.9), 0);
+    integrator.beginTimeStep(1, 1);
+    integrator.solve(VectorXd::Constant(1, 1e-3));
+    integrator.startFrom(VectorXd::Constant(1, 2.2));
+    EXPECT_NEAR(integrator.solve(VectorXd::Constant(1, 10))[0], 2, 1e-6);
+    for (std::size_t k = 1; k < integrator.residuals().size(); ++k) {
+        EXPECT_LT(integrator.residuals()[k], integrator.residuals()[k - 1]);
+    }
+}
+
+TEST(TangentReuse, static_tangent_serves_in_steps_of_any_length) {
+    Springs springs(
+        1, [](double u) { return u; }, [](double) { return 1; });
+    springs.linear = true;
+    TimeIntegrator integrator(springs, TimeScheme::quasiStatic(), {}, 0);
+    for (const double time : {1.0, 1.5, 3.0}) {
+        integrator.beginTimeStep(time, time / 2);
+        integrator.solve(VectorXd::Ones(1));
+        integrator.acceptTimeStep();
+    }
+    EXPECT_EQ(integrator.nFactorisations(), 1);
+}
+
+TEST(TangentReuse, contraction_is_told_to_others_while_a_tangent_of_the_step_serves) {
+    PlaneSolid solid = makeExample({Kinematics::planeStrain, Strains::nonlinear, false});
+    TimeIntegrator integrator(solid, TimeScheme::generalisedAlpha(0.8), reusing(0.3), 0);
+    integrator.beginTimeStep(0.01, 0.01);
+    EXPECT_EQ(integrator.reuseContraction(), 0);
+    integrator.linearise(integrator.displacement());
+    EXPECT_EQ(integrator.reuseContraction(), 0.3);
+    integrator.dropTangent();
+    EXPECT_EQ(integrator.reuseContraction(), 0);
+    integrator.solve(VectorXd::Constant(solid.nUnknowns(), 0.01));
+    integrator.acceptTimeStep();
+    integrator.beginTimeStep(0.03, 0.02); // of another length
+    EXPECT_EQ(integrator.reuseContraction(), 0);
+}
+
+TEST(TangentReuse, linear_solution_is_the_same_to_the_last_bit_whatever_was_solved_before) {
+    PlaneSolid solid = makeExample({Kinematics::planeStrain, Strains::linear, false});
+    const VectorXd force = VectorXd::LinSpaced(solid.nUnknowns(), -1, 2);
+    TimeIntegrator once(solid, TimeScheme::generalisedAlpha(0.8), {}, 0);
+    TimeIntegrator often(solid, TimeScheme::generalisedAlpha(0.8), {}, 0);
+    for (TimeIntegrator* integrator : {&once, &often}) {
+        integrator->beginTimeStep(0.01, 0.01);
+    }
+    often.solve(-3 * force);
+    EXPECT_EQ(often.solve(force), once.solve(force));
+    EXPECT_EQ(often.nIterations(), 1);
+}
+
+TEST(TangentReuse, motion_of_supports_is_one_iteration_where_springs_are_linear) {
+    // Newton's method, as the law is said to be nonlinear.
+    SpringChain chain({std::nullopt, std::nullopt, [](double t) { return 3 * t; }});
+    chain.cubic = 1e-30;
+    chain.load = [](double t) { return 5 * t; };
+    TimeIntegrator integrator(chain, TimeScheme::quasiStatic(), reusing(0), 0);
+    for (int step = 1; step <= 3; ++step) {
+        integrator.beginTimeStep(step, 1);
+        integrator.solve();
+        EXPECT_EQ(integrator.nIterations(), 1);
+        integrator.acceptTimeStep();
+    }
+}
+
+TEST(TangentReuse, memory_is_that_of_the_factors_and_three_matrices) {
+    PlaneSolid solid = makeExample({Kinematics::planeStrain, Strains::linear, false});
+    TimeIntegrator integrator(solid, TimeScheme::generalisedAlpha(0.8), {}, 0);
+    const double entries = static_cast<double>(solid.massMatrix().nonZeros());
+    EXPECT_GT(integrator.solver().bytes(), 0);
+    EXPECT_EQ(integrator.bytes() - integrator.solver().bytes(),
+              3 * entries * (sizeof(double) + sizeof(int)));
 }
