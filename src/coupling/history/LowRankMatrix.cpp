@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "coupling/history/LowRankMatrix.hpp"
 
+#include "common/SingularValues.hpp"
 #include "coupling/step/StateReader.hpp"
 #include "coupling/step/StateWriter.hpp"
 
 #include <Eigen/QR>
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <atomic>
@@ -68,15 +68,10 @@ void LowRankMatrix::compress(int maxRank, double relativeLimit) {
     }
     const ThinQr a = thinQr(A_);
     const ThinQr b = thinQr(B_);
-    const Eigen::BDCSVD<Eigen::MatrixXd> svd(a.R * b.R.transpose(),
-                                             Eigen::ComputeThinU | Eigen::ComputeThinV);
-    const Eigen::VectorXd& values = svd.singularValues();
-    Eigen::Index n = 0;
-    while (n < values.size() && n < maxRank && values[n] > relativeLimit * values[0]) {
-        ++n;
-    }
-    A_ = a.Q * svd.matrixU().leftCols(n) * values.head(n).asDiagonal();
-    B_ = b.Q * svd.matrixV().leftCols(n);
+    const SingularValues svd(a.R * b.R.transpose());
+    const Eigen::Index n = std::min<Eigen::Index>(maxRank, svd.rank(relativeLimit));
+    A_ = a.Q * svd.U.leftCols(n) * svd.values.head(n).asDiagonal();
+    B_ = b.Q * svd.V.leftCols(n);
     markColumnsFrom(0);
 }
 

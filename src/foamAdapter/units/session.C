@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Compiled together, because reading OpenFOAM's headers takes most of the time
+#include "dictionaryChecks.C"
+#include "abortNotifier.C"
+#include "structureProcess.C"
+#include "structureConnection.C"
 #include "couplingPreset.C"
 #include "pressureTolerance.C"
 #include "couplingResidual.C"

@@ -4,3 +4,7 @@
 #include "fluidSnapshot.C"
 #include "fluidPredictor.C"
 #include "stepRetry.C"
+#include "displacementSource.C"
+#include "couplingFvOption.C"
+#include "structureCoupling.C"
+#include "structureDisplacementPointPatchVectorField.C"

@@ -81,4 +81,8 @@ EdgeQuadrature::EdgeQuadrature(const CurveInterface& from, const CurveInterface&
     }
 }
 
+Eigen::MatrixXd EdgeQuadrature::massMatrix() const {
+    return values_.transpose() * weights_.asDiagonal() * values_;
+}
+
 } // namespace tokay::mapper

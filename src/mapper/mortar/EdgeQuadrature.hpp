@@ -31,9 +31,7 @@ class EdgeQuadrature {
     const Eigen::MatrixXd& values() const { return values_; }
 
     /// M_DD: integral of N N^T over the edge, functions x functions [m].
-    Eigen::MatrixXd massMatrix() const {
-        return values_.transpose() * weights_.asDiagonal() * values_;
-    }
+    Eigen::MatrixXd massMatrix() const;
 
     /// Largest distance between the two edges [m].
     double largestGap() const { return largestGap_; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mapper/mortar/EdgeTrace.hpp"
 
-#include <Eigen/SVD>
+#include "common/SingularValues.hpp"
 
 namespace tokay::mapper {
 
@@ -18,15 +18,13 @@ constexpr double zero = 1e-10;
 
 EdgeTrace::EdgeTrace(const MatrixXd& values, const VectorXd& weights) {
     const VectorXd roots = weights.cwiseSqrt();
-    Eigen::BDCSVD<MatrixXd> svd(roots.asDiagonal() * values,
-                                Eigen::ComputeThinU | Eigen::ComputeFullV);
-    svd.setThreshold(zero);
-    const Eigen::Index rank = svd.rank();
-    const MatrixXd leading = svd.matrixU().leftCols(rank);
-    singularValues_ = svd.singularValues().head(rank);
+    const SingularValues svd(roots.asDiagonal() * values);
+    const Eigen::Index rank = svd.rank(zero);
+    const MatrixXd leading = svd.U.leftCols(rank);
+    singularValues_ = svd.values.head(rank);
     projection_ =
         singularValues_.cwiseInverse().asDiagonal() * leading.transpose() * roots.asDiagonal();
-    basis_ = svd.matrixV();
+    basis_ = svd.V;
     if (!isSingular()) { // control values themselves: a support may hold one of them
         projection_ = (basis_ * projection_).eval();
         basis_.setIdentity();
@@ -36,6 +34,14 @@ EdgeTrace::EdgeTrace(const MatrixXd& values, const VectorXd& weights) {
 double EdgeTrace::conditionOnRange() const {
     const double ratio = singularValues_[0] / singularValues_[rank() - 1];
     return ratio * ratio;
+}
+
+Eigen::MatrixXd EdgeTrace::coefficients(const Eigen::MatrixXd& atPoints) const {
+    return projection_ * atPoints;
+}
+
+Eigen::MatrixXd EdgeTrace::forcesAtPoints(const Eigen::MatrixXd& onCoefficients) const {
+    return projection_.transpose() * onCoefficients;
 }
 
 } // namespace tokay::mapper

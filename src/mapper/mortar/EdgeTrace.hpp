@@ -36,16 +36,12 @@ class EdgeTrace {
     /// Coefficients of the L2 projection onto the traces.
     /// @param atPoints  nPoints x m
     /// @return          rank x m
-    Eigen::MatrixXd coefficients(const Eigen::MatrixXd& atPoints) const {
-        return projection_ * atPoints;
-    }
+    Eigen::MatrixXd coefficients(const Eigen::MatrixXd& atPoints) const;
 
     /// Its transpose: the forces at the points that do the same work.
     /// @param onCoefficients  rank x m [N]
     /// @return                nPoints x m [N]
-    Eigen::MatrixXd forcesAtPoints(const Eigen::MatrixXd& onCoefficients) const {
-        return projection_.transpose() * onCoefficients;
-    }
+    Eigen::MatrixXd forcesAtPoints(const Eigen::MatrixXd& onCoefficients) const;
 
   private:
     Eigen::VectorXd singularValues_; ///< those that are not zero
