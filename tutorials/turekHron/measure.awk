@@ -9,7 +9,7 @@
 # period's extrema, averaged over the last PERIODS periods; the frequency is that of the
 # largest of the first six Fourier coefficients; CHANGE [%] is the largest change of mean
 # and amplitude from the PERIODS periods before, relative to the amplitude. A steady
-# state: the last value, and its change [%] since four fifths of the time.
+# state: the mean of the last tenth of the time, and its change [%] from the tenth before.
 
 NR == 1 { for (c = 2; c <= NF; c++) name[c] = $c; columns = NF; next }
 { n++; for (c = 1; c <= NF; c++) x[n, c] = $c }
@@ -78,10 +78,19 @@ function swing(   a, b, c, before, swingBefore) {
     }
 }
 
-function steady(   i, c) {
-    for (i = n; x[i, 1] > 0.8*x[n, 1]; i--) ;
-    print "window", x[i, 1], x[n, 1], 1
-    for (c = 2; c <= columns; c++) print name[c], x[n, c], 0, 0, 100*abs(x[n, c]/x[i, c] - 1)
+# mean of column c over the rows with from < time <= to
+function average(c, from, to,   i, sum, rows) {
+    for (i = 1; i <= n; i++) if (x[i, 1] > from && x[i, 1] <= to) { sum += x[i, c]; rows++ }
+    return rows ? sum/rows : x[n, c]
+}
+
+function steady(   c, end, now) {
+    end = x[n, 1]
+    print "window", 0.9*end, end, 1
+    for (c = 2; c <= columns; c++) {
+        now = average(c, 0.9*end, end)
+        print name[c], now, 0, 0, 100*abs(now/average(c, 0.8*end, 0.9*end) - 1)
+    }
 }
 
 END { if (periods) swing(); else steady() }
