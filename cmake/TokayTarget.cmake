@@ -24,7 +24,7 @@ function(tokay_batch name)
 endfunction()
 
 # For what runs once in a run (readers, tables of entries, messages, options of a
-# program): compiled in half of the time. It must not instantiate what loops share, as Eigen's
+# program): compiled in two thirds of the time. It must not instantiate what loops share, as Eigen's
 # products: the linker keeps one copy of an inline function, whichever file it is from.
 set(TOKAY_RUN_ONCE $<$<CONFIG:Release>:-O1>)
 
