@@ -288,15 +288,19 @@ Foam::List<Foam::scalarBlock> Foam::laplaceEquation::solve
         step(omega, z, t, x, r);
         for (label i = 0; i < blockSize; ++i)
         {
-            isOpen[i] = energy[i] > allowed[i];
+            // NaN stays open
+            isOpen[i] = !(energy[i] <= allowed[i]);
         }
     }
     if (isOpen.isAny())
     {
         WarningInFunction
             << "extensions of the boundary's motion have not converged in "
-            << pass << " iterations: the mesh may be worse than it could be"
-            << nl << endl;
+            << pass << " iterations: the mesh may be worse than it could be."
+            << nl << "    See what checkMesh finds; where faces are very"
+            << " non-orthogonal, set" << nl
+            << "    laplacian(diffusivity,cellDisplacement) in fvSchemes to"
+            << " Gauss linear uncorrected" << nl << endl;
     }
     return x;
 }

@@ -71,10 +71,12 @@ class PlaneElementTable {
     int nPoints() const { return nPoints_; }
 
     const std::vector<int>& nodes(int element) const { return nodes_[element]; }
+    /// 2 x nFunctions; column a: gradient of function a [1/m].
     Gradients gradients(int element, int point) const {
         const std::size_t size = 2 * nodes_.front().size();
         return {&gradients_[size * index(element, point)], 2, nFunctions()};
     }
+    /// Quadrature weight times area element [m^2].
     double area(int element, int point) const { return areas_[index(element, point)]; }
 
   private:
