@@ -93,6 +93,25 @@ TEST(ArcLength, follows_von_Mises_truss_through_both_limit_points) {
     EXPECT_LT(endDisplacement(line, path.state().displacement)[1], -2 * h); // snapped through
 }
 
+TEST(ArcLength, does_not_jump_to_an_equilibrium_at_the_end_beyond_its_arc) {
+    // The first arc passes the end, at which the truss is in balance only where it has
+    // snapped through, by more than 2 h.
+    const double h = 0.1;
+    const double EA = 1000;
+    const double end = 1.2 * limitLoad(h, EA);
+    Beam line = truss(h, EA);
+    ArcLength path(line, NewtonOptions{1e-10, 25, true}, {2000, 1}, 1.1 * end, end);
+    double before = 0;
+    while (path.state().time < end) {
+        path.advance();
+        const double w = endDisplacement(line, path.state().displacement)[1];
+        // An arc is the displacement of the truss at rest by the load at the end, below 0.3 h
+        EXPECT_LT(std::abs(w - before), 0.3 * h);
+        before = w;
+    }
+    EXPECT_LT(before, -2 * h);
+}
+
 TEST(ArcLength, shallow_sine_arch_snaps_at_the_load_of_the_shallow_theory) {
     // y = a sin(pi x / L) under q sin(pi x / L): with the amplitude b,
     // q = (pi/L)^4 (E I (a - b) + E A (a^2 - b^2) b / 4), largest at

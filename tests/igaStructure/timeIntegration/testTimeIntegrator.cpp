@@ -456,6 +456,21 @@ TEST(TimeIntegrator, work_of_follower_loads_is_the_kinetic_energy_of_a_free_beam
     EXPECT_NEAR(energies.externalWork, energies.kinetic, 1e-9 * energies.kinetic);
 }
 
+TEST(TimeIntegrator, work_of_follower_loads_goes_on_from_a_saved_state) {
+    Beam beam = freeBeamUnderPressure(true);
+    Energies energies;
+    const TimeScheme scheme = TimeScheme::newmark(0.25, 0.5);
+    const MotionState saved = freeMotion(beam, scheme, energies);
+    TimeIntegrator later(beam, scheme, NewtonOptions{1e-12, 25, true}, 0);
+    later.restore(saved, energies);
+    later.beginTimeStep(1.1, 0.1);
+    later.solve();
+    later.acceptTimeStep();
+    // As without an end in between
+    EXPECT_NEAR(later.energies().externalWork, later.energies().kinetic,
+                1e-9 * later.energies().kinetic);
+}
+
 class StepsEquations : public testing::TestWithParam<std::pair<Strains, bool>> {
   protected:
     static constexpr double deltaT = 0.02;
