@@ -4,7 +4,7 @@ include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
 set(packageFolder ${CMAKE_INSTALL_LIBDIR}/cmake/Tokay)
-foreach(part common geometry mapper)
+foreach(part common dense geometry mapper)
     string(SUBSTRING ${part} 0 1 first)
     string(SUBSTRING ${part} 1 -1 rest)
     string(TOUPPER ${first} first)
@@ -12,6 +12,8 @@ foreach(part common geometry mapper)
     set_target_properties(${target} PROPERTIES EXPORT_NAME ${part} INSTALL_RPATH "$ORIGIN")
     install(TARGETS ${target} EXPORT TokayTargets COMPONENT library
             INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/tokay)
+endforeach()
+foreach(part common geometry mapper)
     foreach(folder ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR})
         install(DIRECTORY ${folder}/src/${part} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/tokay
                 COMPONENT library FILES_MATCHING PATTERN "*.hpp"

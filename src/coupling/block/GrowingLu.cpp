@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "coupling/block/GrowingLu.hpp"
 
-#include <Eigen/LU>
+#include "common/dense/DenseLu.hpp"
 
 #include <cassert>
 
@@ -20,16 +20,15 @@ void GrowingLu::append(const MatrixXd& right, const MatrixXd& bottom, const Matr
     MatrixXd lower = bottom;
     lu_.triangularView<Eigen::UnitLower>().solveInPlace(upper);
     lu_.triangularView<Eigen::Upper>().solveInPlace<Eigen::OnTheRight>(lower);
-    const Eigen::PartialPivLU<MatrixXd> schur(corner - lower * upper);
+    const DenseLu schur(corner - lower * upper);
+    const VectorXi rows = schur.rows();
 
     lu_.conservativeResize(n + k, n + k);
     lu_.topRightCorner(n, k) = upper;
-    lu_.bottomLeftCorner(k, n) = schur.permutationP() * lower;
-    lu_.bottomRightCorner(k, k) = schur.matrixLU();
+    lu_.bottomLeftCorner(k, n) = lower(rows, Eigen::all);
+    lu_.bottomRightCorner(k, k) = schur.factors();
     rows_.conservativeResize(n + k);
-    for (Eigen::Index i = 0; i < k; ++i) {
-        rows_[n + schur.permutationP().indices()[i]] = static_cast<int>(n + i);
-    }
+    rows_.tail(k) = rows.array() + static_cast<int>(n);
 }
 
 VectorXd GrowingLu::solve(const VectorXd& b) const {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "coupling/history/LowRankMatrix.hpp"
 
-#include "common/SingularValues.hpp"
+#include "common/dense/SingularValues.hpp"
+#include "common/dense/ThinQr.hpp"
 #include "coupling/step/StateReader.hpp"
 #include "coupling/step/StateWriter.hpp"
-
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <atomic>
@@ -13,18 +12,6 @@
 
 namespace tokay::coupling {
 namespace {
-
-struct ThinQr {
-    Eigen::MatrixXd Q; ///< nRows x min(nRows, nColumns)
-    Eigen::MatrixXd R;
-};
-
-ThinQr thinQr(const Eigen::MatrixXd& matrix) {
-    const Eigen::Index n = std::min(matrix.rows(), matrix.cols());
-    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(matrix);
-    return {qr.householderQ() * Eigen::MatrixXd::Identity(matrix.rows(), n),
-            qr.matrixQR().topRows(n).triangularView<Eigen::Upper>()};
-}
 
 void appendColumns(Eigen::MatrixXd& matrix, const Eigen::MatrixXd& columns) {
     matrix.conservativeResize(columns.rows(), matrix.cols() + columns.cols());
@@ -66,8 +53,8 @@ void LowRankMatrix::compress(int maxRank, double relativeLimit) {
     if (rank() == 0) {
         return;
     }
-    const ThinQr a = thinQr(A_);
-    const ThinQr b = thinQr(B_);
+    const ThinQr a(A_);
+    const ThinQr b(B_);
     const SingularValues svd(a.R * b.R.transpose());
     const Eigen::Index n = std::min<Eigen::Index>(maxRank, svd.rank(relativeLimit));
     A_ = a.Q * svd.U.leftCols(n) * svd.values.head(n).asDiagonal();

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/primitives/volumePrimitives.hpp"
 
+#include "common/dense/DenseLu.hpp"
 #include "common/errors.hpp"
 #include "geometry/primitives/primitives.hpp"
 #include "geometry/projection/BoxTree.hpp"
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <fmt/format.h>
 
 #include <cmath>
@@ -54,7 +54,7 @@ NurbsSurface parallel(const NurbsSurface& middle, double distance) {
             values.row(row) = parallelPoint(middle, xi[i], eta[j], distance).transpose();
         }
     }
-    return middle.withControlPoints(functions.partialPivLu().solve(values));
+    return middle.withControlPoints(DenseLu(functions).solve(values));
 }
 
 NurbsSurface exactParallel(const NurbsSurface& middle, double distance) {

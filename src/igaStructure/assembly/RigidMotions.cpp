@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/assembly/RigidMotions.hpp"
 
-#include <Eigen/Eigenvalues>
+#include "common/dense/SingularValues.hpp"
+#include "common/dense/SymmetricEigen.hpp"
+
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,9 +25,9 @@ constexpr double nothing = 1e-6;
 // Columns that span the motions without an effect on what is held.
 MatrixXd nullSpace(const Eigen::Matrix<double, 6, 6>& held) {
     constexpr double rounding = 1e-13;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> modes(held);
-    const double none = rounding * std::max(1.0, modes.eigenvalues()[5]);
-    return modes.eigenvectors().leftCols((modes.eigenvalues().array() <= none).count());
+    const SymmetricEigen modes(held);
+    const double none = rounding * std::max(1.0, modes.values[5]);
+    return modes.vectors.leftCols((modes.values.array() <= none).count());
 }
 
 // A basis of the span of orthonormal columns: axes of space first.
@@ -40,10 +41,10 @@ std::vector<Vector3d> readableBasis(const Matrix3Xd& columns) {
             rest.col(c).setZero();
         }
     }
-    const Eigen::SelfAdjointEigenSolver<Matrix3d> others(rest);
+    const SymmetricEigen others(rest);
     for (int k = 0; k < 3; ++k) {
-        if (others.eigenvalues()[k] > 0.5) { // of a projector: 0 or 1
-            basis.emplace_back(others.eigenvectors().col(k));
+        if (others.values[k] > 0.5) { // of a projector: 0 or 1
+            basis.emplace_back(others.vectors.col(k));
         }
     }
     return basis;
@@ -61,9 +62,10 @@ std::string axisName(const Vector3d& axis) {
             return std::string(1, "xyz"[c]);
         }
     }
-    Eigen::Index largest = 0;
-    axis.cwiseAbs().maxCoeff(&largest);
-    return coordinates(std::copysign(1, axis[largest]) * axis, 1);
+    // The first component is positive
+    const double first = *std::find_if(axis.begin(), axis.end(),
+                                       [](double part) { return std::abs(part) > nothing; });
+    return coordinates(std::copysign(1, first) * axis, 1);
 }
 
 } // namespace
@@ -109,25 +111,23 @@ std::vector<std::string> RigidMotions::freeOnes() const {
         return {};
     }
     // Right singular vectors of the rotations: those of no singular value translate only.
-    const Eigen::JacobiSVD<MatrixXd> svd(space.bottomRows<3>(),
-                                         Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const auto nRotations = (svd.singularValues().array() > nothing).count();
-    const Matrix3Xd translations =
-        space.topRows<3>() * svd.matrixV().rightCols(space.cols() - nRotations);
+    const SingularValues svd(space.bottomRows<3>());
+    const auto nRotations = (svd.values.array() > nothing).count();
+    const Matrix3Xd translations = space.topRows<3>() * svd.V.rightCols(space.cols() - nRotations);
     std::vector<std::string> names;
     for (const Vector3d& direction : readableBasis(translations)) {
         names.push_back("translation along " + axisName(direction));
     }
-    const Matrix3Xd axes = svd.matrixU().leftCols(nRotations);
-    const Matrix3Xd shifts = space.topRows<3>() * svd.matrixV().leftCols(nRotations) *
-                             svd.singularValues().head(nRotations).cwiseInverse().asDiagonal();
+    const Matrix3Xd axes = svd.U.leftCols(nRotations);
+    const Matrix3Xd shifts = space.topRows<3>() * svd.V.leftCols(nRotations) *
+                             svd.values.head(nRotations).cwiseInverse().asDiagonal();
     for (const Vector3d& axis : readableBasis(axes)) {
         const Vector3d shift = shifts * (axes.transpose() * axis);
         const Vector3d own = shift - translations * (translations.transpose() * shift);
         std::string name = "rotation about " + axisName(axis);
         const Matrix3Xd moved = translations - axis * (axis.transpose() * translations);
-        const Eigen::SelfAdjointEigenSolver<Matrix3d> plane(moved * moved.transpose());
-        if (plane.eigenvalues()[1] < nothing) { // ascending: the axis may not move everywhere
+        const SymmetricEigen plane(moved * moved.transpose());
+        if (plane.values[1] < nothing) { // ascending: the axis may not move everywhere
             name += " through " + coordinates(centre_ + size_ * axis.cross(own), size_);
         }
         if (std::abs(axis.dot(own)) > nothing) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/linearAlgebra/SparseLu.hpp"
 
+#include "common/dense/blas.hpp"
 #include "igaStructure/linearAlgebra/FreePart.hpp"
-#include "igaStructure/linearAlgebra/blas.hpp"
 
 #include <fmt/format.h>
 #include <umfpack.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/output/bernstein.hpp"
 
-#include <Eigen/LU>
+#include "common/dense/DenseLu.hpp"
 
 #include <cmath>
 
@@ -17,7 +17,7 @@ Eigen::MatrixXd bernsteinInverse(int degree) {
             binomial *= static_cast<double>(degree - i) / (i + 1);
         }
     }
-    return values.inverse();
+    return DenseLu(values).solve(Eigen::MatrixXd::Identity(degree + 1, degree + 1));
 }
 
 } // namespace tokay::structure

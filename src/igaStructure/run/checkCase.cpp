@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/run/checkCase.hpp"
 
+#include "common/dense/blas.hpp"
 #include "igaStructure/case/makeBody.hpp"
-#include "igaStructure/linearAlgebra/blas.hpp"
 #include "igaStructure/run/Watch.hpp"
 #include "igaStructure/run/advise.hpp"
 #include "igaStructure/run/describeModel.hpp"

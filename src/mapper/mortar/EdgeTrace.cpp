@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mapper/mortar/EdgeTrace.hpp"
 
-#include "common/SingularValues.hpp"
+#include "common/dense/SingularValues.hpp"
 
 namespace tokay::mapper {
 
@@ -20,10 +20,9 @@ EdgeTrace::EdgeTrace(const MatrixXd& values, const VectorXd& weights) {
     const VectorXd roots = weights.cwiseSqrt();
     const SingularValues svd(roots.asDiagonal() * values);
     const Eigen::Index rank = svd.rank(zero);
-    const MatrixXd leading = svd.U.leftCols(rank);
     singularValues_ = svd.values.head(rank);
-    projection_ =
-        singularValues_.cwiseInverse().asDiagonal() * leading.transpose() * roots.asDiagonal();
+    projection_ = singularValues_.cwiseInverse().asDiagonal() * svd.U.leftCols(rank).transpose() *
+                  roots.asDiagonal();
     basis_ = svd.V;
     if (!isSingular()) { // control values themselves: a support may hold one of them
         projection_ = (basis_ * projection_).eval();

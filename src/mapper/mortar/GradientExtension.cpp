@@ -62,8 +62,9 @@ GradientExtension::GradientExtension(const RowSparseMatrix& mass, const RowSpars
     const ColumnMatrix term = restricted(gradient, active_);
     const ColumnMatrix rows = traceRows();
     scale_ = largest(rows) / largest(term); // both blocks of one size, so that pivots compare
-    saddle_.compute(saddleMatrix(term, rows, scale_));
-    if (saddle_.info() != Eigen::Success) {
+    saddle_ = saddleMatrix(term, rows, scale_);
+    factors_.compute(saddle_);
+    if (factors_.info() != Eigen::Success) {
         throw SolverError("the gradient term leaves values on the interface open: "
                           "choose the minimum norm solution");
     }
@@ -93,7 +94,7 @@ Eigen::MatrixXd GradientExtension::solve(const Eigen::MatrixXd& rhs,
     saddleRhs.topRows(n) = scale_ * slopes(active_, Eigen::all);
     saddleRhs.bottomRows(rank_) = projected.topRows(rank_);
     Eigen::MatrixXd solution = Eigen::MatrixXd::Zero(n_, rhs.cols());
-    const Eigen::MatrixXd solved = saddle_.solve(saddleRhs);
+    const Eigen::MatrixXd solved = factors_.solve(saddleRhs);
     solution(active_, Eigen::all) = solved.topRows(n);
     return solution;
 }
@@ -102,7 +103,7 @@ TransposedSolution GradientExtension::solveTransposed(const Eigen::MatrixXd& rhs
     const Eigen::Index n = static_cast<Eigen::Index>(active_.size());
     Eigen::MatrixXd saddleRhs = Eigen::MatrixXd::Zero(n + rank_, rhs.cols());
     saddleRhs.topRows(n) = rhs(active_, Eigen::all);
-    const Eigen::MatrixXd solved = saddle_.solve(saddleRhs);
+    const Eigen::MatrixXd solved = factors_.solve(saddleRhs);
     Eigen::MatrixXd multipliers = Eigen::MatrixXd::Zero(n, rhs.cols());
     multipliers.topRows(rank_) = solved.bottomRows(rank_);
     const Eigen::MatrixXd rotated = trace_.matrixQ() * multipliers;

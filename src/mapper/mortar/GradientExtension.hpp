@@ -5,7 +5,7 @@
 #include "mapper/mortar/MassInverse.hpp"
 
 #include <Eigen/SPQRSupport>
-#include <Eigen/SparseLU>
+#include <Eigen/UmfPackSupport>
 
 #include <vector>
 
@@ -48,7 +48,8 @@ class GradientExtension {
     Eigen::Index rank_;
     double scale_; ///< of G in the matrix below
     /// [G, (R P^T)^T; R P^T, 0]
-    Eigen::SparseLU<ColumnMatrix> saddle_;
+    ColumnMatrix saddle_;
+    Eigen::UmfPackLU<ColumnMatrix> factors_; ///< of it; refers to it
 };
 
 } // namespace tokay::mapper

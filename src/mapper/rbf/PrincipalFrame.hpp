@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "common/dense/SymmetricEigen.hpp"
 #include "geometry/spline/Points.hpp"
-
-#include <Eigen/Eigenvalues>
 
 #include <cmath>
 
@@ -19,9 +18,7 @@ class PrincipalFrame {
   public:
     explicit PrincipalFrame(const Points& cloud) : centre_(cloud.colwise().mean()) {
         const Points centred = cloud.rowwise() - centre_.transpose();
-        axes_ = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(
-                    Eigen::Matrix3d(centred.transpose() * centred))
-                    .eigenvectors();
+        axes_ = SymmetricEigen(centred.transpose() * centred).vectors;
         for (int i = 0; i < 3; ++i) {
             if (centred.row(0) * axes_.col(i) < 0) {
                 axes_.col(i) *= -1;

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mapper/rbf/RbfInterpolant.hpp"
 
+#include "common/dense/DenseLu.hpp"
 #include "common/errors.hpp"
 #include "mapper/RowSparseMatrix.hpp"
 #include "mapper/rbf/LinearPolynomial.hpp"
 
 #include <Eigen/CholmodSupport>
-#include <Eigen/LU>
 #include <fmt/format.h>
+
+#include <utility>
 
 namespace tokay::mapper {
 
@@ -22,7 +24,7 @@ class Dense : public RbfInterpolant {
         system.topLeftCorner(n, n) = kernelMatrix(from, from, kernel, scale);
         system.topRightCorner(n, m) = polynomial.values(from);
         system.bottomLeftCorner(m, n) = system.topRightCorner(n, m).transpose();
-        factorised_.compute(system);
+        factorised_ = DenseLu(std::move(system));
         evaluation_.resize(to.rows(), n + m);
         evaluation_ << kernelMatrix(to, from, kernel, scale), polynomial.values(to);
         nFrom_ = n;
@@ -35,7 +37,7 @@ class Dense : public RbfInterpolant {
     }
     Eigen::MatrixXd applyTransposed(const Eigen::MatrixXd& forces) const override {
         const Eigen::MatrixXd rhs = evaluation_.transpose() * forces;
-        const Eigen::MatrixXd solution = factorised_.transpose().solve(rhs);
+        const Eigen::MatrixXd solution = factorised_.solveTransposed(rhs);
         return solution.topRows(nFrom_);
     }
     double bytes() const override {
@@ -45,7 +47,7 @@ class Dense : public RbfInterpolant {
 
   private:
     Eigen::Index nFrom_;
-    Eigen::PartialPivLU<Eigen::MatrixXd> factorised_;
+    DenseLu factorised_;
     Eigen::MatrixXd evaluation_;
 };
 
@@ -68,7 +70,7 @@ class Sparse : public RbfInterpolant {
         polynomials_ = polynomial.values(from);
         polynomialsThere_ = polynomial.values(to);
         solvedPolynomials_ = factorised_.solve(polynomials_);
-        schur_.compute(polynomials_.transpose() * solvedPolynomials_);
+        schur_ = DenseLu(polynomials_.transpose() * solvedPolynomials_);
     }
 
     Eigen::MatrixXd apply(const Eigen::MatrixXd& values) const override {
@@ -108,7 +110,7 @@ class Sparse : public RbfInterpolant {
     RowSparseMatrix kernelsThere_;
     Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>> factorised_;
     Eigen::MatrixXd polynomials_, polynomialsThere_, solvedPolynomials_;
-    Eigen::PartialPivLU<Eigen::MatrixXd> schur_;
+    DenseLu schur_;
 };
 
 } // namespace

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "common/dense/DenseLu.hpp"
 #include "mapper/rbf/LinearPolynomial.hpp"
 #include "mapper/rbf/PrincipalFrame.hpp"
 #include "mapper/rbf/RbfInterpolant.hpp"
-
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <limits>
@@ -84,7 +83,7 @@ class Partition : public RbfInterpolant {
         const LinearPolynomial linear(from);
         polynomials_ = linear.values(from);
         polynomialsThere_ = linear.values(to);
-        fit_ = (polynomials_.transpose() * polynomials_).inverse() * polynomials_.transpose();
+        fit_ = DenseLu(polynomials_.transpose() * polynomials_).solve(polynomials_.transpose());
         std::vector<Ball> balls = ballsOver(from, tree, nPerBall);
         assign(from, to, tree, balls);
         const Eigen::VectorXd sums = weightSums(to, balls);
@@ -201,8 +200,7 @@ class Partition : public RbfInterpolant {
         system.topRightCorner(n, m) = linear.values(here);
         system.bottomLeftCorner(m, n) = system.topRightCorner(n, m).transpose();
         evaluation << kernelMatrix(there, here, kernel.type, kernel.scale), linear.values(there);
-        const Eigen::MatrixXd solved =
-            Eigen::PartialPivLU<Eigen::MatrixXd>(system).solve(evaluation.transpose());
+        const Eigen::MatrixXd solved = DenseLu(std::move(system)).solve(evaluation.transpose());
         Block block{ball.from, ball.to, solved.topRows(n).transpose()};
         for (std::size_t i = 0; i < ball.to.size(); ++i) {
             block.matrix.row(static_cast<Eigen::Index>(i)) *=

@@ -5,7 +5,6 @@
 #include "igaStructure/kinematics/curvePoints.hpp"
 
 #include <Eigen/Geometry>
-#include <Eigen/SparseLU>
 
 #include <algorithm>
 
@@ -30,8 +29,10 @@ Matrix3d frame(const Vector3d& tangent, int dimension) {
 EndFrames::EndFrames(const geometry::NurbsCurve& curve, const std::vector<BeamSupport>& supports,
                      int dimension)
     : dimension_(dimension), fixed_(dimension * curve.nControlPoints(), false),
-      toDisplacements_(fixed_.size(), fixed_.size()), motions_(curve.controlPoints()) {
+      toDisplacements_(fixed_.size(), fixed_.size()), toUnknowns_(fixed_.size(), fixed_.size()),
+      motions_(curve.controlPoints()) {
     toDisplacements_.setIdentity();
+    toUnknowns_.setIdentity();
     holdWhatIsNoMotion(curve);
     for (const BeamSupport& support : supports) {
         hold(curve, support);
@@ -117,14 +118,18 @@ std::vector<bool> EndFrames::heldBy(const BeamSupport& support) const {
 void EndFrames::holdRotation(int first, int second, const Vector3d& tangent) {
     const Matrix3d axes = frame(tangent, dimension_);
     const Matrix3d across = Matrix3d::Identity() - tangent * tangent.transpose();
+    const Matrix3d back = -axes.transpose() * across;
     for (int i = 0; i < dimension_; ++i) {
         for (int j = 0; j < dimension_; ++j) {
             const int row = dimension_ * second + i;
             toDisplacements_.coeffRef(row, dimension_ * second + j) = axes(i, j);
             toDisplacements_.coeffRef(row, dimension_ * first + j) = across(i, j);
+            toUnknowns_.coeffRef(row, dimension_ * second + j) = axes(j, i);
+            toUnknowns_.coeffRef(row, dimension_ * first + j) = back(i, j);
         }
     }
     toDisplacements_.makeCompressed();
+    toUnknowns_.makeCompressed();
     isIdentity_ = false;
     for (int c = 1; c < dimension_; ++c) {
         fixed_[dimension_ * second + c] = true;
@@ -143,11 +148,7 @@ Eigen::VectorXd EndFrames::forces(const Eigen::VectorXd& onControlPoints) const 
 }
 
 Eigen::VectorXd EndFrames::onControlPoints(const Eigen::VectorXd& onUnknowns) const {
-    if (isIdentity_) {
-        return onUnknowns;
-    }
-    Eigen::SparseLU<SparseMatrix> lu(SparseMatrix(toDisplacements_.transpose()));
-    return lu.solve(onUnknowns);
+    return isIdentity_ ? onUnknowns : Eigen::VectorXd(toUnknowns_.transpose() * onUnknowns);
 }
 
 SparseMatrix EndFrames::matrix(const SparseMatrix& ofControlPoints) const {

@@ -63,6 +63,7 @@ class EndFrames {
     bool isIdentity_ = true;
     std::vector<bool> fixed_;
     SparseMatrix toDisplacements_;
+    SparseMatrix toUnknowns_; ///< its inverse
     RigidMotions motions_;
     SupportTrace trace_;
     SupportOwners owners_;

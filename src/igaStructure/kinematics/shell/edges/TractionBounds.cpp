@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/kinematics/shell/edges/TractionBounds.hpp"
 
+#include "common/dense/SingularValues.hpp"
 #include "igaStructure/assembly/GeometryError.hpp"
 #include "igaStructure/kinematics/shell/element/CovariantPoint.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -89,18 +89,16 @@ MatrixXd unitMotions(const ShellPatch& patch, const MatrixXd& energyRoot, const 
     }
     // What is left of a rigid motion's energy; its tractions are as small.
     constexpr double rounding = 1e-12;
-    Eigen::JacobiSVD<MatrixXd> parts(energyRoot, Eigen::ComputeThinV);
-    parts.setThreshold(rounding);
-    const Eigen::Index rank = parts.rank();
-    return parts.matrixV().leftCols(rank) *
-           parts.singularValues().head(rank).cwiseInverse().asDiagonal();
+    const SingularValues parts(energyRoot);
+    const Eigen::Index rank = parts.rank(rounding);
+    return parts.V.leftCols(rank) * parts.values.head(rank).cwiseInverse().asDiagonal();
 }
 
 double largestSquare(const MatrixXd& rows) {
     if (rows.size() == 0) {
         return 0;
     }
-    const double norm = Eigen::JacobiSVD<MatrixXd>(rows).singularValues()[0];
+    const double norm = SingularValues(rows).values[0];
     return norm * norm;
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "igaStructure/kinematics/shell/egm/GradientTerm.hpp"
 
+#include "common/dense/SingularValues.hpp"
 #include "common/errors.hpp"
 #include "geometry/quadrature/gaussLegendre.hpp"
 #include "igaStructure/kinematics/shell/edges/NodeUnion.hpp"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,6 +23,10 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 namespace {
+
+// Singular values below this part of the largest one are zero: samples that do not tell
+// two monomials apart.
+constexpr double rounding = 1e-13;
 
 // Derivatives of the functions at a place along a direction of space.
 RowVectorXd derivativeAlong(const PatchLocation& at, const Vector3d& direction) {
@@ -167,10 +171,13 @@ void GradientTerm::addElement(int element, const Vector3d& direction,
                 roots[static_cast<Index>(s)] = std::exp(-0.5 * std::pow(distance / width, 2));
             }
             // Value at x of the weighted fit, as weights of the samples.
-            const MatrixXd scaled = roots.asDiagonal() * monomialRows;
+            const SingularValues fit(roots.asDiagonal() * monomialRows);
+            const Index rank = fit.rank(rounding);
             const VectorXd weights =
-                roots.asDiagonal() * scaled.transpose().completeOrthogonalDecomposition().solve(
-                                         monomials(x, degree_).transpose());
+                roots.asDiagonal() *
+                (fit.U.leftCols(rank) *
+                 (fit.values.head(rank).cwiseInverse().asDiagonal() *
+                  (fit.V.leftCols(rank).transpose() * monomials(x, degree_).transpose())));
             const double area =
                 box.area() * here.baseVectors.col(0).cross(here.baseVectors.col(1)).norm();
             functional.addLagged(here.nodes, elements_.cut(face_, element),

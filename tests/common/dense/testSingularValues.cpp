@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "common/SingularValues.hpp"
+#include "common/dense/SingularValues.hpp"
+#include "common/errors.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace tokay {
 namespace {
@@ -24,7 +26,7 @@ MatrixXd cosines(int n) {
     return columns;
 }
 
-// With 30 columns Eigen divides the matrix, with 5 it does not.
+// With 30 columns LAPACK divides the matrix, with 5 it does not.
 class OfAProduct : public testing::TestWithParam<std::pair<int, int>> {};
 
 TEST_P(OfAProduct, the_factors_of_a_product_are_found) {
@@ -53,6 +55,12 @@ INSTANTIATE_TEST_SUITE_P(SingularValues, OfAProduct,
 
 TEST(SingularValues, a_matrix_of_zeros_has_rank_zero) {
     EXPECT_EQ(SingularValues(MatrixXd::Zero(3, 2)).rank(1e-10), 0);
+}
+
+TEST(SingularValues, an_entry_that_is_not_finite_is_an_error) {
+    MatrixXd A = MatrixXd::Identity(3, 2);
+    A(2, 1) = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THROW(SingularValues{A}, SolverError);
 }
 
 } // namespace

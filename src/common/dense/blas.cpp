@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "igaStructure/linearAlgebra/blas.hpp"
+#include "common/dense/blas.hpp"
 
 #include <dlfcn.h>
 
 #include <cstdlib>
 #include <memory>
 
-namespace tokay::structure {
+namespace tokay {
 
 namespace {
 
@@ -59,4 +59,4 @@ BlasThreads::~BlasThreads() {
     }
 }
 
-} // namespace tokay::structure
+} // namespace tokay

@@ -6,9 +6,9 @@
 namespace tokay {
 
 /// Singular value decomposition A = U diag(values) V^T of a dense matrix, m x n, by divide and
-/// conquer (Gu & Eisenstat 1995). In a file of its own: compiling it takes as long as ten
-/// files of ours.
+/// conquer (Gu & Eisenstat 1995; LAPACK's dgesdd).
 struct SingularValues {
+    /// @throws SolverError if an entry is not finite
     explicit SingularValues(const Eigen::MatrixXd& A);
 
     /// How many of the values are larger than this part of the largest one.

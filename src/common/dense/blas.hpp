@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace tokay::structure {
+namespace tokay {
 
 /// Path of the library that does the dense products: OpenBLAS or a slower one.
 std::string blasLibrary();
@@ -27,4 +27,4 @@ class BlasThreads {
     int before_ = 0; ///< threads to go back to; 0: nothing was changed
 };
 
-} // namespace tokay::structure
+} // namespace tokay
