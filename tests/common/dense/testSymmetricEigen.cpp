@@ -21,6 +21,7 @@ TEST(SymmetricEigen, modes_of_a_chain_of_springs_are_sines) {
     const SymmetricEigen found(A);
     for (int k = 0; k < n; ++k) {
         const double half = M_PI * (k + 1) / (2 * (n + 1));
+        // Rounding; in the vectors over the smallest gap between values, 0.018
         EXPECT_NEAR(found.values[k], std::pow(2 * std::sin(half), 2), 1e-13);
         const double scale = found.vectors(0, k) / std::sin(2 * half);
         for (int i = 0; i < n; ++i) {

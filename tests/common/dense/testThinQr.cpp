@@ -26,6 +26,7 @@ TEST_P(OfShape, factors_multiply_to_the_matrix) {
     const ThinQr qr(A);
     EXPECT_EQ(qr.Q.cols(), k);
     EXPECT_EQ(qr.R.rows(), k);
+    // Rounding of some dozens of products
     EXPECT_LE((qr.Q * qr.R - A).norm(), 1e-13 * A.norm());
     EXPECT_LT((qr.Q.transpose() * qr.Q - MatrixXd::Identity(k, k)).norm(), 1e-13);
     EXPECT_TRUE(qr.R.leftCols(k).isUpperTriangular(0));
