@@ -371,6 +371,133 @@ TEST(ArcLength, reactions_are_in_balance_with_loads_on_supports_too) {
     }
 }
 
+namespace {
+
+/// Two springs of stiffness 1 under loads t and, from t = 1, tan(angle) (t - 1): the path
+/// (u1, u2) is straight but for one turn.
+class TurningPath : public Springs {
+  public:
+    explicit TurningPath(double degrees)
+        : Springs(
+              2, [](double u) { return u; }, [](double) { return 1; }),
+          slope_(std::tan(degrees * M_PI / 180)) {}
+    const VectorXd& externalForce(double time) override {
+        loads_ = Eigen::Vector2d(time, slope_ * std::max(0.0, time - 1));
+        return loads_;
+    }
+
+  private:
+    double slope_;
+    VectorXd loads_;
+};
+
+/// Length of the step over the turn, which begins 0.01 before it, in arcs of 0.33.
+double arcsOverTurn(double degrees, double end) {
+    constexpr double arc = 0.33;
+    TurningPath springs(degrees);
+    ArcLength path(springs, NewtonOptions{1e-12}, {100, 1}, arc, end);
+    for (int step = 0; step < 3; ++step) {
+        path.advance();
+    }
+    const VectorXd before = path.state().displacement;
+    EXPECT_NEAR(before[0], 0.99, 1e-12);
+    path.advance();
+    return (path.state().displacement - before).norm() / arc;
+}
+
+} // namespace
+
+TEST(ArcLength, steps_turn_by_60_degrees_at_most) {
+    // Chords over a turn of a, by the law of sines: a - asin(0.01 sin(a) / arc) degrees.
+    EXPECT_NEAR(arcsOverTurn(55, 100), 1, 1e-6);
+    EXPECT_NEAR(arcsOverTurn(61, 100), 1, 1e-6);    // 59.5
+    EXPECT_NEAR(arcsOverTurn(63, 100), 0.5, 1e-6);  // 61.5, then 59.9
+    EXPECT_NEAR(arcsOverTurn(65, 100), 0.25, 1e-6); // 63.4, 61.9, then 58.7
+}
+
+TEST(ArcLength, step_to_the_end_turns_by_60_degrees_at_most_too) {
+    // To the end at t = 1.05 the chord is (0.06, 0.05 tan(a)), well within the arc.
+    const double chord = std::hypot(0.06, 0.05 * std::tan(64 * M_PI / 180)); // by 59.7 degrees
+    EXPECT_NEAR(arcsOverTurn(64, 1.05), chord / 0.33, 1e-9);
+    EXPECT_NEAR(arcsOverTurn(65, 1.05), 0.25, 1e-6); // not by 60.8, but as without an end
+}
+
+namespace {
+
+/// Factorisations on the way of a thin cantilever that an end moment, which grows with time,
+/// rolls up to a half circle, by arcs.
+int nSolutionsRollingUp(bool mixedStresses) {
+    ExampleBeam kind;
+    kind.elements = 16;
+    BeamSection section = kind.section();
+    section.thickness = 0.01;
+    section.axialStiffness = 1e6 * section.thickness;
+    section.bendingStiffness = 1e6 * std::pow(section.thickness, 3) / 12;
+    BeamLoads loads;
+    loads.ends.push_back(
+        endMoment(std::to_string(1e6 * M_PI / 10 * section.bendingStiffness) + "e-6*t"));
+    Beam line(kind.curve(), section, Strains::nonlinear, kind.supports, loads);
+    NewtonOptions newton{1e-9, 100, false};
+    newton.mixedStresses = mixedStresses;
+    ArcLength path(line, newton, {1000, 1}, 0.1, 1);
+    int nSolutions = 0;
+    for (int step = 0; step < 1000 && path.state().time < 1; ++step) {
+        nSolutions += path.advance().nIterations;
+    }
+    const Eigen::Vector2d end = endDisplacement(line, path.state().displacement);
+    // A half circle, by 16 elements of degree 4.
+    EXPECT_NEAR(end[0], -10, 1e-3);
+    EXPECT_NEAR(end[1], 20 / M_PI, 1e-3);
+    return nSolutions;
+}
+
+} // namespace
+
+TEST(ArcLength, thin_beam_rolls_up_in_fewer_iterations_by_mixed_stresses) {
+    const int exact = nSolutionsRollingUp(false);
+    const int mixed = nSolutionsRollingUp(true);
+    EXPECT_LT(5 * mixed, exact);
+}
+
+namespace {
+
+/// Two bodies on cubic springs, which note between which displacements stresses are
+/// predicted.
+class PredictedChain : public SpringChain {
+  public:
+    PredictedChain() : SpringChain({[](double) { return 0.0; }, std::nullopt, std::nullopt}) {
+        cubic = 300;
+        load = [](double t) { return t; };
+    }
+    Internal mixedInternalForce(const VectorXd& displacement, const VectorXd& linearisedAt,
+                                SparseMatrix& tangent) const override {
+        from.push_back(linearisedAt);
+        to.push_back(displacement);
+        return internalForce(displacement, tangent);
+    }
+    mutable std::vector<VectorXd> from, to;
+};
+
+} // namespace
+
+TEST(ArcLength, mixed_stresses_are_predicted_from_iterate_to_iterate) {
+    PredictedChain chain;
+    ArcLength path(chain, NewtonOptions{1e-12}, {100, 1}, 10, 1e4);
+    for (int step = 0; step < 3; ++step) {
+        const VectorXd start = path.state().displacement;
+        chain.from.clear();
+        chain.to.clear();
+        const int nIterations = path.advance().nIterations - 1; // but for the prediction
+        ASSERT_EQ(static_cast<int>(chain.from.size()), nIterations);
+        ASSERT_GE(nIterations, 2);
+        EXPECT_EQ(chain.from[0], start);
+        for (int k = 1; k < nIterations; ++k) {
+            EXPECT_EQ(chain.from[k], chain.to[k - 1]);
+            EXPECT_NE(chain.from[k], start);
+        }
+    }
+}
+
 TEST(ArcLength, path_that_ends_is_reported_with_the_reason) {
     Springs springs(
         1, [](double u) { return u < 0.5 ? u : NAN; }, [](double) { return 1; });

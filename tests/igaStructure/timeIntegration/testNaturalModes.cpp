@@ -127,6 +127,23 @@ TEST(NaturalModes, frequencies_that_several_modes_share_are_found_as_often_as_th
     }
 }
 
+TEST(NaturalModes, frequencies_that_modes_share_are_found_beside_close_ones_too) {
+    // Where the next frequencies are close, one search ends before rounding shows all modes
+    // of a frequency: it takes modes of the next one for them.
+    for (const int nShared : {3, 4, 8}) {
+        Springs springs(
+            60, [](double u) { return u; }, [](double) { return 1; });
+        springs.factor = [&](int k) { return 1 + 0.01 * (k / nShared); };
+        for (const int count : {2, 4, 6, 8, 10}) {
+            const NaturalModes modes = naturalModes(springs, count);
+            for (int k = 0; k < count; ++k) {
+                EXPECT_NEAR(modes.angularFrequencies[k], std::sqrt(springs.factor(k)), 1e-9)
+                    << k << " of " << count << ", " << nShared << " share one";
+            }
+        }
+    }
+}
+
 TEST(NaturalModes, as_many_as_unknowns_are_refused_and_one_less_is_found) {
     Springs springs(
         4, [](double u) { return u; }, [](double) { return 1; });

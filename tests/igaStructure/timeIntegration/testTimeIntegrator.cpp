@@ -395,6 +395,28 @@ TEST(TimeIntegrator, column_that_is_pressed_beyond_its_buckling_load_is_refused)
     }
 }
 
+TEST(TimeIntegrator, supports_hold_the_prestress_from_the_start) {
+    ExampleBeam kind;
+    BeamSection section = kind.section();
+    section.bendingStiffness = 0;
+    section.prestress = 50;
+    Beam cable(kind.curve(), section, Strains::nonlinear,
+               {{BeamEnd::start, true, true}, {BeamEnd::end, true, true}}, {});
+    // Along the cable, away from it at both ends
+    VectorXd expected = VectorXd::Zero(cable.nUnknowns());
+    expected[0] = -section.prestress;
+    expected[cable.nUnknowns() - 2] = section.prestress;
+    for (const TimeScheme& scheme :
+         {TimeScheme::quasiStatic(), TimeScheme::generalisedAlpha(0.5)}) {
+        TimeIntegrator integrator(cable, scheme, {}, 0);
+        // Integrals of derivatives of the basis by a rule of a few points: rounding.
+        EXPECT_LT((integrator.state().reaction - expected).norm(), 1e-12 * section.prestress);
+        integrator.beginTimeStep(0.1, 0.1);
+        integrator.solve();
+        EXPECT_LT((integrator.reaction() - expected).norm(), 1e-9 * section.prestress);
+    }
+}
+
 TEST(TimeIntegrator, force_that_is_not_finite_is_refused) {
     PlaneSolid solid = Cantilever{}.build();
     TimeIntegrator integrator(solid, TimeScheme::generalisedAlpha(0.8), {}, 0);
