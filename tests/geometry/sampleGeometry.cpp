@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sampleGeometry.hpp"
 
+#include "geometry/primitives/primitives.hpp"
+#include "geometry/spline/curveParts.hpp"
+
 #include <cmath>
 
 namespace tokay::geometry {
@@ -32,6 +35,32 @@ NurbsSurface sampleSurface() {
         }
     }
     return NurbsSurface(u, v, points, weights);
+}
+
+NurbsCurve parabola() {
+    Points points(3, 3);
+    points << -1, 1, 0, 0.5, -2, 0, 2, 4, 0;
+    return NurbsCurve(KnotVector(2, {0, 0, 0, 1, 1, 1}), points);
+}
+
+NurbsSurface parabolicCylinder() {
+    const NurbsCurve curve = parabola();
+    Points points(6, 3);
+    points << curve.controlPoints(), curve.controlPoints().rowwise() + Eigen::RowVector3d(0, 0, 1);
+    return NurbsSurface(curve.knotVector(), KnotVector(1, {0, 0, 1, 1}), points);
+}
+
+TrimmedPatch plateBelowParabola() {
+    NurbsCurve rim = parabola();
+    Points parameters = rim.controlPoints();
+    parameters.col(0) = (parameters.col(0).array() + 1) / 3;
+    parameters.col(1) = (parameters.col(1).array() + 1) / 5;
+    rim = reversed(rim.withControlPoints(parameters));
+    const Point start(0, 0.4, 0), corner(0, 0, 0), otherCorner(1, 0, 0), end(1, 1, 0);
+    return TrimmedPatch(
+        rectangle(Point(-1, -1, 0), 3, 5),
+        {TrimmingLoop(LoopKind::outer, {rim, line(start, corner), line(corner, otherCorner),
+                                        line(otherCorner, end)})});
 }
 
 std::vector<double> sampleParameters(int n) {

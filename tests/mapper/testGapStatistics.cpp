@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/expectInputError.hpp"
+#include "geometry/sampleGeometry.hpp"
 #include "mapper/GapStatistics.hpp"
+#include "mapper/interface/SplineInterface.hpp"
 #include "mapper/nearest/NearestElementMapping.hpp"
+#include "mapper/samplePatches.hpp"
 
 #include <gtest/gtest.h>
 
@@ -32,6 +35,21 @@ TEST(GapStatistics, points_whose_projection_fails_are_unmatched_and_ambiguous_on
     EXPECT_EQ(report.nUnmatched, 2);
     EXPECT_EQ(report.nAmbiguous, 2);
     EXPECT_EQ(report.coverage, 0.5);
+}
+
+TEST(GapStatistics, points_whose_place_newtons_method_does_not_meet_are_unmatched) {
+    const SplineInterface onCurve({{geometry::parabola(), {0, 1, 2}, "parabola"}}, 3);
+    const SurfaceInterface onSurface =
+        onePatch(geometry::TrimmedPatch(geometry::parabolicCylinder()));
+    const SurfaceInterface onRim = onePatch(geometry::plateBelowParabola());
+    Points to(3, 3); // the second one is its vertex's centre of curvature
+    to << 0, 0.4, 0, 0, 0.5, 0, 0.1, 0.4, 0;
+    for (const Discretisation* from :
+         std::initializer_list<const Discretisation*>{&onCurve, &onSurface, &onRim}) {
+        const MappingReport report = NearestElementMapping(*from, to, {0.5}).report();
+        EXPECT_EQ(report.nUnmatched, 1);
+        EXPECT_NEAR(report.coverage, 2.0 / 3, 1e-15);
+    }
 }
 
 TEST(GapStatistics, the_first_of_the_farthest_points_is_the_worst) {

@@ -192,6 +192,30 @@ TEST(ModelProjector, whole_meshes_are_projected_to_rounding) {
     EXPECT_EQ(found[all.farthestPoint].distance, all.largestDistance);
 }
 
+TEST(ModelProjector, places_that_newtons_method_does_not_meet_are_counted) {
+    // Above a cylinder whose centre line of curvature is x = 0, y = 0.5.
+    const BrepModel model({{TrimmedPatch(parabolicCylinder(), "cylinder")}});
+    Points points(5, 3);
+    points << 0, 0.4, 0.2, 0, 0.5, 0.2, 0.3, 0.4, 0.5, 0, 0.5, 0.7, 0, 0.3, 0.9;
+    const std::vector<ModelProjection> found = ModelProjector(model).closestOfAll(points);
+    for (int i = 0; i < 5; ++i) {
+        EXPECT_EQ(found[i].converged, i % 2 == 0) << i;
+    }
+    EXPECT_EQ(summary(found).nNotConverged, 2);
+}
+
+TEST(ModelProjector, a_rim_that_newtons_method_does_not_meet_is_told_from_one_that_it_meets) {
+    const TrimmedPatch patch = plateBelowParabola();
+    const PatchProjector projector(patch);
+    const ModelProjection atCentre = projector.closest(Point(0, 0.5, 0));
+    EXPECT_TRUE(atCentre.isOnRim);
+    EXPECT_FALSE(atCentre.converged);
+    EXPECT_NEAR(atCentre.distance, 0.5, 1e-6); // what is left of x to the power of 4
+    const ModelProjection below = projector.closest(Point(0, 0.4, 0));
+    EXPECT_TRUE(below.isOnRim);
+    EXPECT_TRUE(below.converged);
+}
+
 TEST(ModelProjector, scale_and_position_do_not_matter) {
     for (const double scale : {1e-6, 1e6}) {
         for (const double offset : {0.0, 1e6}) {

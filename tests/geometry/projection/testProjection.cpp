@@ -115,6 +115,19 @@ TEST(CurveProjector, the_centre_of_a_circle_is_ambiguous_and_its_neighbour_is_no
     EXPECT_NEAR(beside.distance, 1.99, 1e-15 * 8);
 }
 
+TEST(CurveProjector, a_place_that_newtons_method_does_not_meet_is_told_from_one_that_it_meets) {
+    const CurveProjector projector(parabola());
+    const CurveProjection atCentre = projector.closest(Point(0, 0.5, 0));
+    EXPECT_FALSE(atCentre.converged);
+    EXPECT_FALSE(atCentre.ambiguous);
+    // The nearest place is the vertex; the distance has what is left of x to the power of 4.
+    EXPECT_NEAR(atCentre.xi, 1.0 / 3, 0.01);
+    EXPECT_NEAR(atCentre.distance, 0.5, 1e-6);
+    const CurveProjection below = projector.closest(Point(0, 0.4, 0));
+    EXPECT_TRUE(below.converged);
+    EXPECT_NEAR(below.xi, 1.0 / 3, 1e-11); // tolerance over the curvature, 0.2
+}
+
 TEST(CurveProjector, scale_and_position_do_not_matter) {
     for (const double scale : {1e-6, 1.0, 1e6}) {
         for (const double offset : {0.0, 1e6}) {
@@ -183,6 +196,16 @@ TEST(SurfaceProjector, a_sphere_is_found_at_its_seam_and_its_poles_too) {
         }
     }
     EXPECT_TRUE(projector.closest(Point::Zero()).ambiguous);
+}
+
+TEST(SurfaceProjector, a_place_that_newtons_method_does_not_meet_is_told_from_one_that_it_meets) {
+    const SurfaceProjector projector(parabolicCylinder());
+    const SurfaceProjection atCentre = projector.closest(Point(0, 0.5, 0.3));
+    EXPECT_FALSE(atCentre.converged);
+    EXPECT_NEAR(atCentre.xi, 1.0 / 3, 0.01); // as of the parabola
+    EXPECT_NEAR(atCentre.eta, 0.3, 1e-9);
+    EXPECT_NEAR(atCentre.distance, 0.5, 1e-6);
+    EXPECT_TRUE(projector.closest(Point(0, 0.4, 0.3)).converged);
 }
 
 TEST(SurfaceProjector, a_thin_and_an_anisotropic_patch_are_found) {

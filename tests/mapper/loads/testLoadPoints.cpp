@@ -310,6 +310,27 @@ TEST(LoadPoints, faces_partly_beyond_a_patch_are_loaded_evenly) {
     mesh.vertices << 0.5, 0.2, 0, 2.1, 0.4, 0, 0.9, 0.9, 0;
     expectEvenLoad(mesh, 1.62);
 }
+
+TEST(LoadPoints, no_part_of_a_face_over_a_steep_rib_pulls) {
+    // A plate with a rib of one span's width; the area of its flanks is many times that of
+    // the face over it. Wherever the rib is, shares of a pressure are none of suction.
+    constexpr int nX = 40;
+    FaceMesh mesh{Points(3, 3), {{0, 1, 2}}};
+    mesh.vertices << 0.05, 0.05, 0, 1.95, 0.05, 0, 0.05, 0.95, 0;
+    for (int rib = 3; rib < nX - 2; ++rib) {
+        const geometry::NurbsSurface flat =
+            refine(geometry::rectangle(Point::Zero(), 2, 1), 1, 1, nX, 1);
+        Points controlPoints = flat.controlPoints();
+        for (const int row : {0, nX + 1}) {
+            controlPoints(rib + row, 2) = 3;
+        }
+        const LoadPoints loads = integratedLoads(
+            onePatch(geometry::TrimmedPatch(flat.withControlPoints(controlPoints))), mesh, 0.02);
+        EXPECT_GE(Eigen::MatrixXd(loads.shares).minCoeff(), 0) << rib;
+        expectForceAndMomentKept(loads, mesh);
+    }
+}
+
 TEST(LoadPoints, faces_up_to_half_a_span_take_fewer_points_than_larger_ones) {
     const auto nPoints = [](double size) {
         FaceMesh mesh{Points(3, 3), {{0, 1, 2}}};

@@ -5,6 +5,7 @@
 #include "geometry/spline/refinement.hpp"
 #include "mapper/conservation.hpp"
 #include "mapper/mappingProperties.hpp"
+#include "mapper/mortar/GradientTerm.hpp"
 #include "mapper/mortar/MortarMapping.hpp"
 #include "mapper/sampleInterfaces.hpp"
 #include "mapper/sampleMeshes.hpp"
@@ -105,7 +106,66 @@ Errors errors(const SlantedEdge& edge, const Eigen::VectorXd& values, double fro
     return {std::sqrt(sums.onEdge), std::sqrt(sums.beside)};
 }
 
+/// A quarter of a cylinder of radius 2 and height 3, along which parameters are uneven, and
+/// the columns of elements that the line xi = 0.5 cuts.
+struct QuarterCylinder {
+    NurbsSurface surface =
+        refine(geometry::cylinderPatch(Point::Zero(), 2, 3, 0, 0.5 * M_PI), 2, 2, 5, 4);
+
+    double cutArea() const { return 2 * (angle(0.6) - angle(0.4)) * 3; }
+    SurfaceInterface trimmed() const {
+        const geometry::ParameterBox kept{{0, 0}, {0.5, 1}};
+        return onePatch(geometry::TrimmedPatch(surface, {geometry::TrimmingLoop::around(kept)}));
+    }
+    CurveInterface edge() const {
+        std::vector<int> numbers(static_cast<std::size_t>(surface.nControlPoints()));
+        std::iota(numbers.begin(), numbers.end(), 0);
+        std::vector<std::unique_ptr<InterfaceCurve>> curves;
+        curves.push_back(interfaceCurve(
+            geometry::CurveOnSurface(geometry::line(Point(0.5, 0, 0), Point(0.5, 1, 0)), surface),
+            numbers));
+        return CurveInterface(std::move(curves), surface.controlPoints());
+    }
+
+  private:
+    double angle(double xi) const {
+        const Point at = surface.point(xi, 0);
+        return std::atan2(at[1], at[0]);
+    }
+};
+
+/// Integral of the product of both sides' slopes of positions, over components and directions.
+double ofPositions(const RowSparseMatrix& term, const Points& to, const Points& from) {
+    return (to.transpose() * (term * from)).trace();
+}
+
 } // namespace
+
+TEST(GradientTerm, of_positions_is_the_area_of_the_cut_elements_on_a_curved_patch_too) {
+    // Along a direction of the surface positions change by 1: the squares are the area, for
+    // each direction.
+    const QuarterCylinder fine;
+    const Points& x = fine.surface.controlPoints();
+    QuarterCylinder other;
+    other.surface = refine(geometry::cylinderPatch(Point::Zero(), 2, 3, 0, 0.5 * M_PI), 2, 2, 3, 2);
+    const SurfaceInterface whole = onePatch(geometry::TrimmedPatch(other.surface));
+    const Points& ofOther = other.surface.controlPoints();
+    const double area = fine.cutArea();
+    // Three Gauss points along an element of about 18 degrees.
+    const double error = 1e-6 * area;
+
+    const GradientTerm onPatch = gradientTerm(whole, fine.trimmed());
+    EXPECT_NEAR(ofPositions(onPatch.energy, x, x), 2 * area, error);
+    EXPECT_NEAR(ofPositions(onPatch.slopes, x, ofOther), 2 * area, error);
+    const SurfaceMesh mesh = flatMesh(2, 2, FaceKind::triangles, ValuesAt::vertices);
+    const GradientTerm ofMesh = gradientTerm(mesh, fine.trimmed());
+    EXPECT_NEAR(ofPositions(ofMesh.energy, x, x), 2 * area, error);
+    EXPECT_EQ(ofMesh.slopes.nonZeros(), 0);
+
+    const CurveInterface edge = fine.edge();
+    const GradientTerm onEdge = gradientTerm(edge, edge);
+    EXPECT_NEAR(ofPositions(onEdge.energy, x, x), area, error);
+}
 
 TEST(GradientTerm, fields_that_do_not_change_across_the_edge_are_exact_in_the_cut_elements) {
     for (const double trim : {0.0, 1e-12, 1e-8, 1e-4, 0.05, 0.13}) {

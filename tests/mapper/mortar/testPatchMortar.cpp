@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/expectInputError.hpp"
 #include "geometry/primitives/primitives.hpp"
+#include "geometry/sampleGeometry.hpp"
 #include "geometry/spline/refinement.hpp"
 #include "mapper/conservation.hpp"
 #include "mapper/expectPatchTest.hpp"
+#include "mapper/intersection/patchIntersection.hpp"
 #include "mapper/mortar/MortarMapping.hpp"
 #include "mapper/nearest/NearestElementMapping.hpp"
 #include "mapper/sampleMeshes.hpp"
@@ -230,6 +232,23 @@ TEST(PatchMortar, the_dual_basis_is_refused) {
     const SurfaceMesh mesh = flatMesh(3, 3, FaceKind::triangles, ValuesAt::vertices);
     expectInputError([&] { MortarMapping(mesh, onePatch(TrimmedPatch(plate(2, 2))), options); },
                      {"dual basis"});
+}
+
+TEST(PatchIntersection, a_triangle_whose_corner_newtons_method_does_not_meet_covers_nothing) {
+    const SurfaceInterface splines = onePatch(TrimmedPatch(geometry::parabolicCylinder()));
+    const auto share = [&](double height) {
+        Points vertices(3, 3);
+        vertices << 0, height, 0.3, 0.4, 0.3, 0.2, 0.1, 0.3, 0.8;
+        const SurfaceMesh mesh(vertices, {{0, 1, 2}}, ValuesAt::faces);
+        double covered = -1;
+        IntersectionVisitor visitor;
+        visitor.point = [](const IntersectionPoint&) {};
+        visitor.endTriangle = [&](int, double coveredShare) { covered = coveredShare; };
+        intersect(mesh, splines, 1, 2, visitor);
+        return covered;
+    };
+    EXPECT_NEAR(share(0.4), 1, 1e-12);
+    EXPECT_EQ(share(0.5), 0); // the centre of curvature of the cylinder's vertex
 }
 
 TEST(SurfaceInterface, nearest_element_evaluates_the_splines_exactly) {
