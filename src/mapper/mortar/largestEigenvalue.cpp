@@ -43,6 +43,7 @@ double largestEigenvalue(Eigen::Index n,
         }
         offDiagonal[k] = next.norm();
 
+        // Tridiagonal already, which SymmetricEigen would not make use of
         Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> projected;
         projected.computeFromTridiagonal(diagonal.head(k + 1), offDiagonal.head(k));
         eigenvalue = projected.eigenvalues()[k];

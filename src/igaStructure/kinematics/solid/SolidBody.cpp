@@ -27,6 +27,7 @@ MatrixXd principalStresses(const MatrixXd& stress) {
         const auto s = stress.col(k);
         Eigen::Matrix3d tensor;
         tensor << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
+        // Of fixed size: SymmetricEigen would allocate memory for each of them
         const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(tensor, Eigen::EigenvaluesOnly);
         values.col(k) = solver.eigenvalues().reverse();
     }
