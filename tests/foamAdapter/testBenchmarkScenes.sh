@@ -107,4 +107,16 @@ cube()
     expectSameRuns
 }
 
+property tube "so does the wall of the elastic tube, a closed shell"
+tube()
+{
+    chooseSizes()
+    {
+        sed -i 's/^nCore .*/nCore 4;  nRadial 3;  nAlong 20;/' "$runFolder/fluid/system/blockMeshDict"
+        sed -i 's/elements: .*/elements: [1, 12]/' "$runFolder/structure/case.yaml"
+    }
+    makeScene elasticTube default 6
+    expectSameRuns
+}
+
 runProperties "$@"
