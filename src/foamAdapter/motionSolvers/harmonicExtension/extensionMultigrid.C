@@ -11,6 +11,10 @@ namespace Foam
 //- Number of unknowns on all ranks that are solved for directly
 constexpr label coarsestSize = 400;
 
+//- Largest number that is inverted where aggregation ends before: each rank
+//  has this matrix
+constexpr label mostInverted = 2000;
+
 //- A coarser level that keeps more of the unknowns is no gain
 constexpr scalar leastCoarsening = 0.9;
 
@@ -62,6 +66,10 @@ void Foam::extensionMultigrid::invertCoarsest()
     const label n = returnReduce(nRows, sumOp<label>());
     nCoarsest_ = n;
     coarsestStart_ = all.localStart();
+    if (n > mostInverted)
+    {
+        return;
+    }
 
     // The entries are the products with unit vectors
     scalarField entries(n*n, Zero);
@@ -232,29 +240,39 @@ void Foam::extensionMultigrid::solveCoarsest(const List<floatBlock>& source)
 }
 
 
+void Foam::extensionMultigrid::correct(const label level)
+{
+    restrictResidual(level);
+    cycle(level + 1, fields_[level + 1].source);
+    const sparseRows& prolongation = coarsenings_[level].prolongation;
+    const List<floatBlock>& correction = fields_[level + 1].solution;
+    List<floatBlock>& x = fields_[level].solution;
+    forAll(x, row)
+    {
+        prolongation.addProduct(row, 1.0f, correction, x[row]);
+    }
+}
+
+
 void Foam::extensionMultigrid::cycle
 (
     const label level,
     const List<floatBlock>& source
 )
 {
-    if (level == coarsenings_.size())
+    const bool isCoarsest = level == coarsenings_.size();
+    if (isCoarsest && nCoarsest_ <= mostInverted)
     {
         solveCoarsest(source);
         return;
     }
     sweepFromZero(level, source);
-    restrictResidual(level);
-
-    cycle(level + 1, fields_[level + 1].source);
-    const sparseRows& prolongation = coarsenings_[level].prolongation;
-    const List<floatBlock>& correction = fields_[level + 1].solution;
-    levelFields& fields = fields_[level];
-    forAll(fields.solution, row)
+    if (!isCoarsest)
     {
-        prolongation.addProduct(row, 1.0f, correction, fields.solution[row]);
+        correct(level);
     }
 
+    levelFields& fields = fields_[level];
     if (faces_.any())
     {
         fields.residual = source;
