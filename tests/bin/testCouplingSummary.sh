@@ -12,16 +12,12 @@ fail()
 }
 
 table=$run/fluid/postProcessing/structure/0
-mkdir -p "$table" "$run/fluid/system"
-cat > "$run/fluid/system/fvSolution" <<'END'
-FoamFile { version 2.0; format ascii; class dictionary; object fvSolution; }
-PIMPLE { residualControl { structure { tolerance 1e-4; relTol 0; } } }
-END
+mkdir -p "$table"
 
 # summary RESIDUAL CONVERGED: of two steps, the second with these
 summary()
 {
-    printf '# time\n0.1 0.1 3 3 5e-5 1e-5 1 2 0.1 0.1\n0.2 0.1 5 4 %s 1e-5 %s 2 0.1 0.3\n' "$1" "$2" > "$table/coupling.dat"
+    printf '# Coupling of structure, tolerance 0.0001\n# time\n0.1 0.1 3 3 5e-5 1e-5 1 2 0.1 0.1\n0.2 0.1 5 4 %s 1e-5 %s 2 0.1 0.3\n' "$1" "$2" > "$table/coupling.dat"
     status=0
     output=$("$repository/bin/couplingSummary" "$run" 2>&1) || status=$?
 }
@@ -40,8 +36,20 @@ summary 9e-5 0
 [ "$status" -ne 0 ] || fail "a step that did not converge is reported by status 0"
 grep -q 'NOT EVERY STEP CONVERGED' <<< "$output" || fail "not converged: $output"
 
-# A restart has a table of its own
+# A restart has a table of its own, with its own tolerance; 0 comes before 0.2
 mkdir "$run/fluid/postProcessing/structure/0.2"
-printf '# time\n0.3 0.1 4 4 1e-5 1e-5 1 2 0.1 0.1\n' > "$run/fluid/postProcessing/structure/0.2/coupling.dat"
-summary 9e-5 1
-grep -q '^3 steps, 3 converged' <<< "$output" || fail "after a restart: $output"
+# restart RESIDUAL: by a step with this one
+restart()
+{
+    printf '# Coupling of structure, tolerance 1e-05\n# time\n0.3 0.1 4 4 %s 1e-5 1 2 0.1 0.1\n' "$1" \
+        > "$run/fluid/postProcessing/structure/0.2/coupling.dat"
+    summary 9e-5 1
+}
+
+restart 8e-6
+[ "$status" -eq 0 ] || fail "a tighter tolerance after a restart, but status $status: $output"
+grep -q '^3 steps, 3 converged, largest coupling residual 9.00e-05 (tolerance 1e-04), 8.00e-06 (tolerance 1e-05)$' \
+    <<< "$output" || fail "after a restart: $output"
+
+restart 2e-5
+[ "$status" -ne 0 ] || fail "a step above the restart's tolerance is reported by status 0"

@@ -375,7 +375,7 @@ Foam::couplingSession::couplingSession
     interval_(preset_.dict(), residual_, criteria_),
     audit_(mesh, preset_.dict()),
     audited_(false),
-    tables_(name, mesh, preset_.dict()),
+    tables_(name, mesh, preset_.dict(), residual_.tolerance()),
     isAttached_(true),
     hasEnded_(false),
     step_(preset_.dict(), mesh, structure_),

@@ -42,7 +42,7 @@ Foam::stepTables::table::table
         return;
     }
     Ostream& os = file();
-    writeHeader(os, title + couplingName);
+    writeHeader(os, title);
     writeCommented(os, "time[s]");
     for (const word& column : columns)
     {
@@ -66,7 +66,8 @@ Foam::stepTables::stepTables
 (
     const word& name,
     const fvMesh& mesh,
-    const dictionary& dict
+    const dictionary& dict,
+    const scalar tolerance
 )
 :
     name_(name),
@@ -78,7 +79,7 @@ Foam::stepTables::stepTables
         "coupling",
         mesh,
         dict,
-        "Coupling of ",
+        "Coupling of " + name + ", tolerance " + Foam::name(tolerance),
         couplingColumns()
     )
 {}
@@ -118,7 +119,7 @@ void Foam::stepTables::write(const conservationAudit& audit)
                 "conservation",
                 mesh_,
                 dict_,
-                "Both sides of the interface, ",
+                "Both sides of the interface, " + name_,
                 conservationAudit::columns()
             )
         );
