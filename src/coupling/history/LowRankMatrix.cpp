@@ -84,7 +84,8 @@ void LowRankMatrix::restore(StateReader& state, Rows rows) {
 }
 
 Eigen::VectorXd LowRankMatrix::apply(const Eigen::VectorXd& v, Eigen::Index nRows) const {
-    if (rank() == 0) {
+    // Newton's method starts where nothing has moved; on a large interface a product is dear
+    if (rank() == 0 || v.isZero(0)) {
         return Eigen::VectorXd::Zero(nRows);
     }
     return A_ * (B_.transpose() * v);

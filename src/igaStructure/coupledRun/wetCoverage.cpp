@@ -27,7 +27,8 @@ constexpr double unreachedFraction = 0.05;
 /// A place of the wet surface that stands for the part of it around it.
 struct WetSample {
     Point point;
-    double size; ///< [m, m^2]
+    Point normal; ///< of unit length
+    double size;  ///< [m, m^2]
     int part;
 };
 
@@ -35,8 +36,8 @@ struct SampledSurface {
     std::vector<WetPart> parts;
     std::vector<WetSample> samples;
 
-    void add(const Point& point, double size) {
-        samples.push_back({point, size, static_cast<int>(parts.size()) - 1});
+    void add(const Point& point, const Point& normal, double size) {
+        samples.push_back({point, normal.normalized(), size, static_cast<int>(parts.size()) - 1});
         parts.back().size += size;
     }
 };
@@ -51,7 +52,8 @@ SampledSurface sampled(const mapper::SplineInterface& wet) {
             for (int i = 0; i < samplesPerSpan; ++i) {
                 const geometry::Points at =
                     piece.curve.derivatives(breaks[span] + (i + 0.5) * step, 1);
-                result.add(at.row(0), at.row(1).norm() * step);
+                const Point tangent = at.row(1);
+                result.add(at.row(0), Point::UnitZ().cross(tangent), tangent.norm() * step);
             }
         }
     }
@@ -68,7 +70,8 @@ void addElement(SampledSurface& result, const geometry::TrimmedPatch& patch, int
             if (patch.state(element) == geometry::ElementState::full || patch.contains(at)) {
                 const geometry::Points d = patch.surface().derivatives(at.x(), at.y(), 1);
                 const Point alongXi = d.row(1), alongEta = d.row(2);
-                result.add(d.row(0), alongXi.cross(alongEta).norm() * step.prod());
+                const Point normal = alongXi.cross(alongEta);
+                result.add(d.row(0), normal, normal.norm() * step.prod());
             }
         }
     }
@@ -135,21 +138,25 @@ struct Facet {
     double reach; ///< [m]
 };
 
-/// Whether the projection of a point falls inside, within reach; on the rim it does.
-bool isBefore(const Facet& facet, const Point& point) {
+/// Whether the normal through a sample meets a facet within reach; on the rim it does.
+/// Along the normals of facets, wedges between them would be left out where the body is
+/// curved and its surface lies at a distance from them.
+bool isBefore(const Facet& facet, const WetSample& sample) {
     constexpr double rim = 1e-9;
     const Point a = facet.corners[1] - facet.corners[0];
-    const Point toPoint = point - facet.corners[0];
-    if (facet.corners.size() == 2) {
-        const double s = toPoint.dot(a) / a.squaredNorm();
-        return s >= -rim && s <= 1 + rim && (toPoint - s * a).norm() <= facet.reach;
+    const Point b = facet.corners.size() == 2 ? Point(Point::UnitZ())
+                                              : Point(facet.corners[2] - facet.corners[0]);
+    const Point across = a.cross(b);
+    const double slope = across.dot(sample.normal);
+    const Point toSample = sample.point - facet.corners[0];
+    const double distance = -across.dot(toSample) / slope;
+    if (!(std::abs(distance) <= facet.reach)) { // not a number where they are parallel
+        return false;
     }
-    const Point b = facet.corners[2] - facet.corners[0];
-    const Point normal = a.cross(b);
-    const double s = toPoint.cross(b).dot(normal) / normal.squaredNorm();
-    const double t = a.cross(toPoint).dot(normal) / normal.squaredNorm();
-    return s >= -rim && t >= -rim && s + t <= 1 + rim &&
-           (toPoint - s * a - t * b).norm() <= facet.reach;
+    const Point at = toSample + distance * sample.normal;
+    const double s = at.cross(b).dot(across) / across.squaredNorm();
+    const double t = facet.corners.size() == 2 ? 0 : a.cross(at).dot(across) / across.squaredNorm();
+    return s >= -rim && t >= -rim && s + t <= 1 + rim;
 }
 
 int partAt(const Point& centre, const SampledSurface& wet, const BoxTree& tree) {
@@ -217,7 +224,7 @@ class FluidFaces {
         bool isReached = false;
         tree_.visitNearest(sample.point, [&](int i) {
             isReached =
-                isReached || (facets_[i].part == sample.part && isBefore(facets_[i], sample.point));
+                isReached || (facets_[i].part == sample.part && isBefore(facets_[i], sample));
             return isReached ? -1 : reach_ * reach_;
         });
         return isReached;

@@ -2,12 +2,12 @@
 #include "igaStructure/kinematics/InterfaceTransfer.hpp"
 
 #include "common/errors.hpp"
-#include "mapper/LinearisedMapping.hpp"
 #include "mapper/interface/PointCloud.hpp"
 #include "mapper/mortar/MortarMapping.hpp"
 #include "mapper/mortar/rimVertices.hpp"
 #include "mapper/nearest/NearestElementMapping.hpp"
 #include "mapper/nearest/SampledMapping.hpp"
+#include "mapper/offset/LinearisedMapping.hpp"
 #include "mapper/offset/OffsetMapping.hpp"
 #include "mapper/rbf/RbfMapping.hpp"
 
@@ -103,9 +103,25 @@ std::unique_ptr<const Mapping> offsetMapping(const Surface& from, const Points& 
                                              const mapper::GapLimit& limit, bool isLinear) {
     auto offset = std::make_unique<mapper::OffsetMapping>(from, to, limit);
     if (isLinear) {
-        return std::make_unique<mapper::LinearisedMapping>(std::move(offset));
+        return std::make_unique<mapper::LinearisedMapping>(*offset);
     }
     return offset;
+}
+
+// The quadrature points of a body with linear strains are summed up once and for all, to
+// a mapping to the faces.
+LoadMapping linearLoads(const WetSurface& from, const mapper::LoadPoints& at, const FaceMesh& faces,
+                        const mapper::GapLimit& limit) {
+    mapper::LoadPoints atCentres{at.shares.transpose() * at.points,
+                                 mapper::RowSparseMatrix(faces.nFaces(), faces.nFaces())};
+    atCentres.shares.setIdentity();
+    auto mapping = std::visit(
+        [&](const auto& surface) {
+            return std::make_unique<mapper::LinearisedMapping>(
+                mapper::OffsetMapping(surface, at.points, limit), at.shares);
+        },
+        from);
+    return {std::move(atCentres), std::move(mapping), false};
 }
 
 } // namespace
@@ -143,12 +159,16 @@ LoadMapping makeLoadMapping(const Coupling& coupling, const WetSurface& from, co
     mapper::LoadPoints at = std::visit(
         [&](const auto& surface) { return integratedOver(surface, faces, coupling.gapLimit); },
         from);
-    const TransferMethod method = coupling.method == TransferMethod::offset
-                                      ? TransferMethod::offset
-                                      : TransferMethod::nearestElement;
     // Gaps are those of the fluid's points.
+    const mapper::GapLimit limit{coupling.gapLimit, false};
+    const bool isOffset = coupling.method == TransferMethod::offset;
+    if (isOffset && isLinear) {
+        return linearLoads(from, at, faces, limit);
+    }
+    const TransferMethod method =
+        isOffset ? TransferMethod::offset : TransferMethod::nearestElement;
     std::unique_ptr<const Mapping> mapping =
-        makeMapping(method, from, {at.points, {}}, {coupling.gapLimit, false}, isLinear);
+        makeMapping(method, from, {at.points, {}}, limit, isLinear);
     return {std::move(at), std::move(mapping), false};
 }
 

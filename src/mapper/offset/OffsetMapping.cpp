@@ -133,6 +133,15 @@ Point OffsetMapping::position(const Attachment& attachment, const Frame& frame) 
            attachment.tangential[1] * frame.a2;
 }
 
+Point OffsetMapping::positionVariation(const Attachment& attachment, const Frame& frame,
+                                       const Eigen::Matrix3d& d) {
+    const Point da1 = d.row(1), da2 = d.row(2);
+    const Point turned = da1.cross(frame.a2) + frame.a1.cross(da2);
+    const Point da3 = (turned - frame.a3 * frame.a3.dot(turned)) / frame.area;
+    return d.row(0).transpose() + attachment.zeta * da3 + attachment.tangential[0] * da1 +
+           attachment.tangential[1] * da2;
+}
+
 Points OffsetMapping::moved(const Points& displacements) const {
     const Points current = controlPoints_ + displacements;
     Points result(attachments_.size(), 3);
@@ -148,13 +157,8 @@ Points OffsetMapping::variation(const Points& displacements, const Points& varia
     Points result(attachments_.size(), 3);
     for (std::size_t i = 0; i < attachments_.size(); ++i) {
         const Attachment& attachment = attachments_[i];
-        const Frame frame = frameOf(attachment, current);
-        const Eigen::Matrix3d d = atPoint(attachment, variation);
-        const Point da1 = d.row(1), da2 = d.row(2);
-        const Point turned = da1.cross(frame.a2) + frame.a1.cross(da2);
-        const Point da3 = (turned - frame.a3 * frame.a3.dot(turned)) / frame.area;
-        result.row(i) = d.row(0).transpose() + attachment.zeta * da3 +
-                        attachment.tangential[0] * da1 + attachment.tangential[1] * da2;
+        result.row(i) = positionVariation(attachment, frameOf(attachment, current),
+                                          atPoint(attachment, variation));
     }
     return result;
 }
@@ -177,6 +181,47 @@ Points OffsetMapping::forces(const Points& displacements, const Points& forces) 
         }
     }
     return result;
+}
+
+RowSparseMatrix OffsetMapping::derivative(const RowSparseMatrix& shares) const {
+    constexpr std::size_t entriesAtOnce = 1 << 20; // 16 MB; many points share entries
+    RowSparseMatrix sum(3 * shares.cols(), 3 * controlPoints_.rows());
+    std::vector<Eigen::Triplet<double>> entries;
+    const auto addEntries = [&] {
+        RowSparseMatrix part(sum.rows(), sum.cols());
+        part.setFromTriplets(entries.begin(), entries.end());
+        sum += part;
+        entries.clear();
+    };
+    for (std::size_t i = 0; i < attachments_.size(); ++i) {
+        const Attachment& attachment = attachments_[i];
+        const Frame frame = frameOf(attachment, controlPoints_);
+        for (RowSparseMatrix::InnerIterator share(shares, static_cast<Eigen::Index>(i)); share;
+             ++share) {
+            appendDerivative(attachment, frame, share.value(), share.col(), entries);
+        }
+        if (entries.size() > entriesAtOnce) {
+            addEntries();
+        }
+    }
+    addEntries();
+    return sum;
+}
+
+void OffsetMapping::appendDerivative(const Attachment& attachment, const Frame& frame,
+                                     double weight, Eigen::Index row,
+                                     std::vector<Eigen::Triplet<double>>& entries) {
+    for (std::size_t j = 0; j < attachment.controlPoints.size(); ++j) {
+        for (int component = 0; component < 3; ++component) {
+            const Point along = weight * Point::Unit(component);
+            const Point change =
+                positionVariation(attachment, frame, attachment.N.col(j) * along.transpose());
+            const int column = 3 * attachment.controlPoints[j] + component;
+            for (int k = 0; k < 3; ++k) {
+                entries.emplace_back(3 * row + k, column, change[k]);
+            }
+        }
+    }
 }
 
 Eigen::VectorXd OffsetMapping::offsets() const {

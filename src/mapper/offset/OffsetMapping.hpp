@@ -3,6 +3,7 @@
 
 #include "mapper/GapStatistics.hpp"
 #include "mapper/Mapping.hpp"
+#include "mapper/RowSparseMatrix.hpp"
 #include "mapper/interface/SplineInterface.hpp"
 #include "mapper/interface/SurfaceInterface.hpp"
 
@@ -34,6 +35,12 @@ class OffsetMapping : public Mapping {
     Points variation(const Points& displacements, const Points& variation) const override;
     Points forces(const Points& displacements, const Points& forces) const override;
 
+    /// The derivative in the reference configuration as a matrix, of weighted sums of
+    /// points; a point's components are next to each other.
+    /// @param shares  weight of each point in each sum, nPoints x nSums
+    /// @return        3 nSums x 3 nControlPoints
+    RowSparseMatrix derivative(const RowSparseMatrix& shares) const;
+
     /// Distance of each point along the normal, with sign [m].
     Eigen::VectorXd offsets() const;
 
@@ -61,6 +68,13 @@ class OffsetMapping : public Mapping {
     static Eigen::Matrix3d atPoint(const Attachment& attachment, const Points& values);
     static Point position(const Attachment& attachment, const Frame& frame);
     Frame frameOf(const Attachment& attachment, const Points& controlPoints) const;
+    /// Derivative of a point's position along variations of its projection's value and
+    /// derivatives by xi and by eta, the rows of d.
+    static Point positionVariation(const Attachment& attachment, const Frame& frame,
+                                   const Eigen::Matrix3d& d);
+    /// Appends a point's derivative, times a weight, from 3 row on.
+    static void appendDerivative(const Attachment& attachment, const Frame& frame, double weight,
+                                 Eigen::Index row, std::vector<Eigen::Triplet<double>>& entries);
     void attach(const Point& point, std::vector<int> controlPoints, Eigen::MatrixXd N);
     void finish(const GapStatistics& gaps, const Points& to);
 

@@ -97,24 +97,45 @@ TEST(WetCoverage, a_face_on_an_edge_that_is_not_wet_is_refused_though_its_corner
     }
 }
 
-TEST(WetCoverage, chords_of_a_cylinder_reach_it_and_half_of_them_reach_half) {
+namespace {
+
+/// A cylinder of radius 1 and height 2.
+WetSurface cylinder() {
     const geometry::NurbsSurface surface =
         geometry::refine(geometry::cylinderPatch({0, 0, 0}, 1, 2, 0, 2 * M_PI), 2, 2, 8, 2);
     std::vector<int> indices(surface.nControlPoints());
     std::iota(indices.begin(), indices.end(), 0);
-    const WetSurface wet = mapper::SurfaceInterface(
-        {{geometry::TrimmedPatch(surface), indices, "wall"}}, surface.nControlPoints());
+    return mapper::SurfaceInterface({{geometry::TrimmedPatch(surface), indices, "wall"}},
+                                    surface.nControlPoints());
+}
 
-    constexpr int n = 12;
+/// Faces of the fluid around it or, with a smaller radius, inside, n around.
+mapper::FaceMesh chords(int n, double radius) {
     mapper::FaceMesh fluid{geometry::Points(2 * n, 3), {}};
     for (int i = 0; i < n; ++i) {
         const double angle = 2 * M_PI * i / n;
         const int next = (i + 1) % n;
-        fluid.vertices.row(2 * i) << std::cos(angle), std::sin(angle), 0;
-        fluid.vertices.row(2 * i + 1) << std::cos(angle), std::sin(angle), 2;
+        fluid.vertices.row(2 * i) << radius * std::cos(angle), radius * std::sin(angle), 0;
+        fluid.vertices.row(2 * i + 1) << radius * std::cos(angle), radius * std::sin(angle), 2;
         fluid.faces.push_back({2 * i, 2 * next, 2 * next + 1, 2 * i + 1});
     }
+    return fluid;
+}
+
+} // namespace
+
+TEST(WetCoverage, chords_of_a_cylinder_reach_it_and_half_of_them_reach_half) {
+    constexpr int n = 12;
+    const WetSurface wet = cylinder();
+    const mapper::FaceMesh fluid = chords(n, 1);
     EXPECT_NO_THROW(requireFacesOnBody(wet, fluid));
     EXPECT_NEAR(fractions(wetCoverage(wet, fluid))[0], 1, 1e-12);
     EXPECT_NEAR(fractions(wetCoverage(wet, without(fluid, 0, n / 2)))[0], 0.5, 1e-12);
+}
+
+// Planes through the edges of the faces, across them, leave wedges between them
+TEST(WetCoverage, faces_inside_a_thick_tube_reach_all_of_its_middle_surface) {
+    for (const int n : {12, 37, 40}) {
+        EXPECT_NEAR(fractions(wetCoverage(cylinder(), chords(n, 0.8)))[0], 1, 1e-12) << n;
+    }
 }

@@ -3,6 +3,7 @@
 #include "geometry/primitives/primitives.hpp"
 #include "geometry/spline/refinement.hpp"
 #include "mapper/conservation.hpp"
+#include "mapper/offset/LinearisedMapping.hpp"
 #include "mapper/offset/OffsetMapping.hpp"
 
 #include <Eigen/Geometry>
@@ -168,6 +169,37 @@ TEST(OffsetMapping, force_and_moment_arrive_in_the_deformed_state) {
         EXPECT_LT((mapped.colwise().sum() - forces.colwise().sum()).norm(), 1e-12 * total);
         EXPECT_LT((moment(scene.controlPoints + state, mapped) - moment(positions, forces)).norm(),
                   1e-12 * total);
+    }
+}
+
+TEST(OffsetMapping, linearised_it_is_its_derivative_at_rest_at_any_displacement) {
+    for (const Scene& scene : scenes()) {
+        const LinearisedMapping linear(scene.mapping);
+        const Points rest = Points::Zero(scene.controlPoints.rows(), 3);
+        const Points state = deformation(scene.controlPoints, scene.isPlane);
+        const Points variation = probeForces(state.rows());
+        const Points forces = probeForces(scene.points.rows()).array().cos();
+        const Points moved = scene.mapping.variation(rest, variation);
+        const Points mapped = scene.mapping.forces(rest, forces);
+        // The same sums in another order
+        EXPECT_LT((linear.moved(variation) - moved).norm(), 1e-13 * moved.norm());
+        EXPECT_LT((linear.variation(state, variation) - moved).norm(), 1e-13 * moved.norm());
+        EXPECT_LT((linear.forces(state, forces) - mapped).norm(), 1e-13 * mapped.norm());
+    }
+}
+
+TEST(OffsetMapping, linearised_to_faces_it_spreads_a_force_over_their_points) {
+    for (const Scene& scene : scenes()) {
+        const Eigen::Index nPoints = scene.points.rows(), nFaces = 5;
+        RowSparseMatrix shares(nPoints, nFaces);
+        for (Eigen::Index i = 0; i < nPoints; ++i) {
+            shares.insert(i, i % nFaces) = 0.1 + 0.01 * static_cast<double>(i);
+        }
+        const LinearisedMapping linear(scene.mapping, shares);
+        const Points onFaces = probeForces(nFaces);
+        const Points rest = Points::Zero(scene.controlPoints.rows(), 3);
+        const Points mapped = scene.mapping.forces(rest, shares * onFaces);
+        EXPECT_LT((linear.forces(rest, onFaces) - mapped).norm(), 1e-13 * mapped.norm());
     }
 }
 
