@@ -13,6 +13,6 @@ set ylabel "processor time of a time step [ms]"
 set yrange [0:*]
 set xtics rotate by -25
 # The first of each run, without those of many cells
-rows = "< awk -F, 'NR > 1 && $1 != \"fineFlag\" && !seen[$1 $2]++' results.csv"
+rows = "< awk -F, 'NR > 1 && $1 != \"fineFlag\" && $1 != \"tube\" && !seen[$1 $2]++' results.csv"
 titles = "mesh correctPhi U p exchange other structure"
 plot for [i=1:7] rows using (1000*column(9 + i)):xtic(stringcolumn(1)."\n".stringcolumn(2)) title word(titles, i)
