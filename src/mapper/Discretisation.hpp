@@ -23,6 +23,13 @@ struct Functions {
     Eigen::VectorXd weights;
 };
 
+/// Functions of a triangle of a mesh: at barycentric coordinates b the weights are weights * b.
+struct CornerFunctions {
+    std::vector<int> values;
+    /// At the three corners, values.size() x 3.
+    Eigen::Matrix<double, Eigen::Dynamic, 3> weights;
+};
+
 /// The closest place to a point, and the functions there.
 struct Location : Functions {
     /// Distance from the point to its projection [m].

@@ -22,29 +22,10 @@ Box Box::around(const Points& points) {
     return {points.colwise().minCoeff(), points.colwise().maxCoeff()};
 }
 
-void Box::include(const Point& point) {
-    lower = lower.cwiseMin(point);
-    upper = upper.cwiseMax(point);
-}
-
-void Box::include(const Box& box) {
-    lower = lower.cwiseMin(box.lower);
-    upper = upper.cwiseMax(box.upper);
-}
-
-bool Box::overlaps(const Box& other) const {
-    return (lower.array() <= other.upper.array()).all() &&
-           (other.lower.array() <= upper.array()).all();
-}
-
-double Box::squaredDistance(const Point& point) const {
-    return (lower - point).cwiseMax(point - upper).cwiseMax(0).squaredNorm();
-}
-
-BoxTree::BoxTree(const std::vector<Box>& boxes) : items_(boxes.size()), boxes_(boxes) {
-    assert(!boxes.empty());
+BoxTree::BoxTree(std::vector<Box> boxes) : items_(boxes.size()), boxes_(std::move(boxes)) {
+    assert(!boxes_.empty());
     std::iota(items_.begin(), items_.end(), 0);
-    nodes_.push_back({Box::empty(), 0, static_cast<int>(boxes.size()), -1});
+    nodes_.push_back({Box::empty(), 0, static_cast<int>(items_.size()), -1});
     // Grows while it is walked: a node's children come after it.
     for (std::size_t node = 0; node < nodes_.size(); ++node) {
         split(static_cast<int>(node));
@@ -102,25 +83,6 @@ void BoxTree::visitNearest(const Point& point, const std::function<double(int)>&
 
 std::vector<int> BoxTree::overlapping(const Box& box) const {
     return meeting([&](const Box& other) { return other.overlaps(box); });
-}
-
-std::vector<int> BoxTree::meeting(const std::function<bool(const Box&)>& meets) const {
-    std::vector<int> found, stack = {0};
-    while (!stack.empty()) {
-        const Node& node = nodes_[stack.back()];
-        stack.pop_back();
-        if (!meets(node.box)) {
-            continue;
-        }
-        if (node.left >= 0) {
-            stack.insert(stack.end(), {node.left, node.left + 1});
-        } else {
-            std::copy_if(items_.begin() + node.begin, items_.begin() + node.end,
-                         std::back_inserter(found), [&](int item) { return meets(boxes_[item]); });
-        }
-    }
-    std::sort(found.begin(), found.end());
-    return found;
 }
 
 } // namespace tokay::geometry

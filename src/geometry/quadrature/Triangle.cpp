@@ -13,13 +13,8 @@ Triangle::Triangle(const Point& a, const Point& b, const Point& c) : corners_{a,
     normal_ = u.cross(v);
     // Dual vectors of u and v in their plane.
     const double squared = normal_.squaredNorm();
-    inverse_.row(0) = v.cross(normal_) / squared;
-    inverse_.row(1) = normal_.cross(u) / squared;
-}
-
-Barycentric Triangle::barycentric(const Point& point) const {
-    const Eigen::Vector2d b = inverse_ * (point - corners_[0]);
-    return {1 - b[0] - b[1], b[0], b[1]};
+    gradients_.row(0) = v.cross(normal_) / squared;
+    gradients_.row(1) = normal_.cross(u) / squared;
 }
 
 Barycentric Triangle::closest(const Point& point) const {

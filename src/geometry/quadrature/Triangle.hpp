@@ -24,7 +24,13 @@ class Triangle {
 
     /// Coordinates of the foot of the perpendicular; they sum to 1, and one is
     /// negative if the foot lies outside. Affine, so linear fields are exact.
-    Barycentric barycentric(const Point& point) const;
+    Barycentric barycentric(const Point& point) const {
+        const Eigen::Vector2d b = gradients_ * (point - corners_[0]);
+        return {1 - b[0] - b[1], b[0], b[1]};
+    }
+
+    /// Rows: gradients of the barycentric coordinates 1 and 2 [1/m]; that of 0 is minus their sum.
+    const Eigen::Matrix<double, 2, 3>& gradients() const { return gradients_; }
 
     /// Coordinates, none negative, of the closest point of the triangle.
     Barycentric closest(const Point& point) const;
@@ -32,8 +38,7 @@ class Triangle {
   private:
     std::array<Point, 3> corners_;
     Point normal_;
-    /// Rows that take the point minus corner 0 to coordinates 1 and 2.
-    Eigen::Matrix<double, 2, 3> inverse_;
+    Eigen::Matrix<double, 2, 3> gradients_;
 };
 
 } // namespace tokay::geometry

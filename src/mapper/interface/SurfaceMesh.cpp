@@ -39,13 +39,14 @@ SurfaceMesh::SurfaceMesh(Points vertices, Faces faces, ValuesAt valuesAt)
         addTriangles(face);
     }
     std::vector<Box> boxes;
+    boxes.reserve(triangles_.size());
     Box all = Box::empty();
     for (const Triangle& triangle : triangles_) {
         boxes.push_back(boxOf(triangle));
         all.include(boxes.back());
     }
     size_ = all.diagonal();
-    tree_ = std::make_unique<geometry::BoxTree>(boxes);
+    tree_ = std::make_unique<geometry::BoxTree>(std::move(boxes));
 }
 
 void SurfaceMesh::checkFace(int face) const {
@@ -134,15 +135,23 @@ void SurfaceMesh::evaluate(int triangle, const Barycentric& at, Functions& funct
     functions.weights[(start + 1) % n] += at[1];
 }
 
-void SurfaceMesh::evaluateCorners(int triangle, std::vector<int>& values,
-                                  Eigen::Matrix<double, Eigen::Dynamic, 3>& weights) const {
-    Functions atCorner;
-    for (int corner = 0; corner < 3; ++corner) {
-        evaluate(triangle, Barycentric::Unit(corner), atCorner);
-        weights.resize(atCorner.weights.size(), 3);
-        weights.col(corner) = atCorner.weights;
+void SurfaceMesh::evaluateCorners(int triangle, CornerFunctions& functions) const {
+    const int face = faceOf_[triangle];
+    if (valuesAt_ == ValuesAt::faces) {
+        functions.values.assign(1, face);
+        functions.weights.setOnes(1, 3);
+        return;
     }
-    values = std::move(atCorner.values);
+    functions.values = faces_[face];
+    const int n = static_cast<int>(functions.values.size()), start = startOf_[triangle];
+    if (n == 3) {
+        functions.weights.setIdentity(3, 3);
+        return;
+    }
+    functions.weights.setZero(n, 3);
+    functions.weights(start, 0) = 1;
+    functions.weights((start + 1) % n, 1) = 1;
+    functions.weights.col(2).setConstant(1.0 / n);
 }
 
 Location SurfaceMesh::locate(const Point& point) const {

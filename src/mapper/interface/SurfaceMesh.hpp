@@ -47,12 +47,8 @@ class SurfaceMesh : public Discretisation {
     /// Functions written into memory of the caller.
     void evaluate(int triangle, const geometry::Barycentric& at, Functions& functions) const;
 
-    /// Weights of the face's functions at the triangle's corners: times barycentric coordinates,
-    /// those of evaluate().
-    /// @param values   indices of the functions' values
-    /// @param weights  nValues x 3
-    void evaluateCorners(int triangle, std::vector<int>& values,
-                         Eigen::Matrix<double, Eigen::Dynamic, 3>& weights) const;
+    /// Functions at the triangle's corners, written into memory of the caller.
+    void evaluateCorners(int triangle, CornerFunctions& functions) const;
 
     /// Degree of the functions on a triangle.
     int degree() const { return valuesAt_ == ValuesAt::vertices ? 1 : 0; }

@@ -5,27 +5,44 @@
 
 #include <algorithm>
 #include <cassert>
+#include <numeric>
+#include <utility>
 
 namespace tokay::mapper {
 
 namespace {
 
-void append(const std::vector<int>& rows, const std::vector<int>& columns,
-            const Eigen::MatrixXd& block, std::vector<Eigen::Triplet<double>>& entries) {
+/// Indices that put values into ascending order.
+std::vector<int> ascendingOrder(const std::vector<int>& values) {
+    std::vector<int> order(values.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](int i, int j) { return values[i] < values[j]; });
+    return order;
+}
+
+std::vector<int> ordered(const std::vector<int>& values, const std::vector<int>& order) {
+    std::vector<int> sorted;
+    sorted.reserve(order.size());
+    for (const int i : order) {
+        sorted.push_back(values[i]);
+    }
+    return sorted;
+}
+
+void addRows(const std::vector<int>& rows, const std::vector<int>& columns,
+             const Eigen::Ref<const Eigen::MatrixXd>& block, SparseSum& sum) {
+    const std::vector<int> order = ascendingOrder(columns), sorted = ordered(columns, order);
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        for (std::size_t j = 0; j < columns.size(); ++j) {
-            if (block(i, j) != 0) {
-                entries.emplace_back(rows[i], columns[j], block(i, j));
-            }
-        }
+        sum.add(rows[i], sorted, block.row(static_cast<Eigen::Index>(i))(order));
     }
 }
 
 } // namespace
 
 MortarAssembler::MortarAssembler(int nTo, int nFrom, MortarBasis basis, int nElements)
-    : nTo_(nTo), nFrom_(nFrom), basis_(basis), elements_(nElements), isOnInterface_(nTo, 0) {
-    assert(nElements == 0 || basis == MortarBasis::standard);
+    : nTo_(nTo), basis_(basis), sourceLeads_(nElements > 0), elements_(nElements), mass_(nTo, nTo),
+      cross_(sourceLeads_ ? SparseSum(nFrom, nTo) : SparseSum(nTo, nFrom)), isOnInterface_(nTo, 0) {
+    assert(!sourceLeads_ || basis == MortarBasis::standard);
 }
 
 int MortarAssembler::Part::column(int fromValue) {
@@ -83,27 +100,40 @@ void MortarAssembler::add(double weight, const Functions& to, const Functions& f
     partOf(element, to.values).add(weight, to, from);
 }
 
-void MortarAssembler::add(const std::vector<int>& toValues, const std::vector<int>& fromValues,
-                          const Eigen::MatrixXd& mass, const Eigen::MatrixXd& cross) {
-    Part& part = partOf(0, toValues);
-    assert(part.toValues == toValues);
-    part.mass += mass;
-    for (std::size_t j = 0; j < fromValues.size(); ++j) {
-        const int number = part.column(fromValues[j]);
-        part.cross.col(number) += cross.col(static_cast<Eigen::Index>(j));
+void MortarAssembler::add(const CornerFunctions& to, const CornerFunctions& from,
+                          const Eigen::Matrix3d& mass, const Eigen::Matrix3d& cross) {
+    Part& part = partOf(0, to.values);
+    assert(part.toValues == to.values);
+    // Lazy products of small matrices take no memory.
+    onTo_ = to.weights.lazyProduct(mass);
+    part.mass += onTo_.lazyProduct(to.weights.transpose());
+    onTo_ = to.weights.lazyProduct(cross);
+    for (std::size_t j = 0; j < from.values.size(); ++j) {
+        const int number = part.column(from.values[j]);
+        const Eigen::Vector3d weights = from.weights.row(static_cast<Eigen::Index>(j));
+        part.cross.col(number) += onTo_.lazyProduct(weights);
     }
 }
 
-void MortarAssembler::addUnmatched(const Functions& to) {
-    for (const int value : to.values) {
+void MortarAssembler::addUnmatched(const std::vector<int>& toValues) {
+    for (const int value : toValues) {
         addUnmatched(value);
     }
 }
 
+void MortarAssembler::addCross(const Part& part) {
+    const auto cross = part.cross.leftCols(static_cast<Eigen::Index>(part.fromValues.size()));
+    if (!sourceLeads_) {
+        addRows(part.toValues, part.fromValues, cross, cross_);
+    } else {
+        addRows(part.fromValues, part.toValues, Eigen::MatrixXd(cross.transpose()), cross_);
+    }
+}
+
 void MortarAssembler::close(const Part& part) {
-    append(part.toValues, part.fromValues, part.cross, cross_);
-    if (elements_.empty()) {
-        append(part.toValues, part.toValues, part.mass, mass_);
+    addCross(part);
+    if (!sourceLeads_) {
+        addRows(part.toValues, part.toValues, part.mass, mass_);
         return;
     }
     ElementMass& element = elements_[part.element];
@@ -124,20 +154,16 @@ void MortarAssembler::endGroup() {
     nParts_ = 0;
 }
 
-RowSparseMatrix MortarAssembler::massMatrix() const {
-    std::vector<Eigen::Triplet<double>> entries = mass_;
-    for (const ElementMass& element : elements_) {
-        append(element.values, element.values, element.matrix, entries);
+RowSparseMatrix MortarAssembler::takeMass() {
+    for (const ElementMass& element : std::exchange(elements_, {})) {
+        addRows(element.values, element.values, element.matrix, mass_);
     }
-    RowSparseMatrix matrix(nTo_, nTo_);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    return matrix;
+    return std::exchange(mass_, SparseSum(0, 0)).matrix();
 }
 
-RowSparseMatrix MortarAssembler::crossMatrix() const {
-    RowSparseMatrix matrix(nTo_, nFrom_);
-    matrix.setFromTriplets(cross_.begin(), cross_.end());
-    return matrix;
+RowSparseMatrix MortarAssembler::takeCross() {
+    const RowSparseMatrix cross = std::exchange(cross_, SparseSum(0, 0)).matrix();
+    return sourceLeads_ ? RowSparseMatrix(cross.transpose()) : cross;
 }
 
 int MortarAssembler::nUncovered(const RowSparseMatrix& massMatrix) const {

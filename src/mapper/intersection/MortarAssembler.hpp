@@ -3,6 +3,7 @@
 
 #include "mapper/Discretisation.hpp"
 #include "mapper/RowSparseMatrix.hpp"
+#include "mapper/intersection/SparseSum.hpp"
 
 namespace tokay::mapper {
 
@@ -24,22 +25,21 @@ class MortarAssembler {
     /// list of its functions.
     void add(double weight, const Functions& to, const Functions& from, int element = 0);
 
-    /// Integrals over a piece of an element, of all products of functions of the destination
-    /// with each other and with those of the source.
-    /// @param mass   nTo x nTo
-    /// @param cross  nTo x nFrom
-    void add(const std::vector<int>& toValues, const std::vector<int>& fromValues,
-             const Eigen::MatrixXd& mass, const Eigen::MatrixXd& cross);
+    /// Integrals over a common piece of a triangle of each side: of products of the destination's
+    /// barycentric coordinates with each other, and with the source's.
+    void add(const CornerFunctions& to, const CornerFunctions& from, const Eigen::Matrix3d& mass,
+             const Eigen::Matrix3d& cross);
 
     /// A place with no partner: its functions exist, but get nothing from there.
-    void addUnmatched(const Functions& to);
+    void addUnmatched(const std::vector<int>& toValues);
     void addUnmatched(int toValue) { isOnInterface_[toValue] = 1; }
 
     /// Source of the dual basis: Wohlmuth, SIAM J. Numer. Anal. 38, 2000
     void endGroup();
 
-    RowSparseMatrix massMatrix() const;
-    RowSparseMatrix crossMatrix() const;
+    /// The sums, which the assembler then no longer has.
+    RowSparseMatrix takeMass();
+    RowSparseMatrix takeCross();
     /// Values on the destination's interface that have no mass.
     int nUncovered(const RowSparseMatrix& massMatrix) const;
 
@@ -52,7 +52,7 @@ class MortarAssembler {
     struct Part {
         int element;
         std::vector<int> toValues, fromValues;
-        Eigen::MatrixXd mass, cross;
+        Eigen::MatrixXd mass, cross; ///< cross may have columns to spare
 
         int column(int fromValue);
         void add(double weight, const Functions& to, const Functions& from);
@@ -60,17 +60,23 @@ class MortarAssembler {
     };
     Part& partOf(int element, const std::vector<int>& toValues);
     void close(const Part& part);
+    void addCross(const Part& part);
 
-    int nTo_, nFrom_;
+    int nTo_;
     MortarBasis basis_;
+    bool sourceLeads_;
     /// Masses of elements that occur in several groups.
     std::vector<ElementMass> elements_;
-    std::vector<Eigen::Triplet<double>> mass_, cross_;
+    /// The cross matrix's is its transpose where the source leads: rows are then those of the
+    /// leading side, which few groups have, and short.
+    SparseSum mass_, cross_;
     std::vector<char> isOnInterface_;
 
     /// The first nParts_ belong to the current group; the others are memory to reuse.
     std::vector<Part> parts_;
     std::size_t nParts_ = 0;
+    /// Integrals of the destination's functions times barycentric coordinates.
+    Eigen::Matrix<double, Eigen::Dynamic, 3> onTo_;
 };
 
 } // namespace tokay::mapper

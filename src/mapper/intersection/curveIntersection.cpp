@@ -94,7 +94,7 @@ void integrateIntersection(const CurveInterface& from, const CurveInterface& to,
                            at.weight)) {
                 assembler.add(at.weight, at.to, partner);
             } else {
-                assembler.addUnmatched(at.to);
+                assembler.addUnmatched(at.to.values);
             }
         },
         [&] { assembler.endGroup(); });

@@ -18,6 +18,18 @@ class MassInverse::Factorisation {
   public:
     virtual ~Factorisation() = default;
     virtual Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs) const = 0;
+
+    /// @param matrix  that was factorised
+    double condition(const ColumnMatrix& matrix) const {
+        const auto forwards = [&](const Eigen::VectorXd& v) -> Eigen::VectorXd {
+            return matrix * v;
+        };
+        const auto backwards = [&](const Eigen::VectorXd& v) -> Eigen::VectorXd {
+            return solve(v);
+        };
+        return largestEigenvalue(matrix.rows(), forwards) *
+               largestEigenvalue(matrix.rows(), backwards);
+    }
 };
 
 class MassInverse::Cholesky : public Factorisation {
@@ -78,34 +90,26 @@ class MassInverse::PseudoInverse : public Factorisation {
     int rank_;
 };
 
-double MassInverse::conditionWith(const Factorisation& factorisation) const {
-    const auto forwards = [&](const Eigen::VectorXd& v) -> Eigen::VectorXd { return reduced_ * v; };
-    const auto backwards = [&](const Eigen::VectorXd& v) -> Eigen::VectorXd {
-        return factorisation.solve(v);
-    };
-    return largestEigenvalue(nActive(), forwards) * largestEigenvalue(nActive(), backwards);
-}
-
 MassInverse::MassInverse(const RowSparseMatrix& matrix, SingularMass singular,
                          const RowSparseMatrix& gradientTerm)
-    : n_(static_cast<int>(matrix.rows())), active_(rowsNotZero(matrix)),
-      reduced_(restricted(matrix, active_)) {
+    : n_(static_cast<int>(matrix.rows())), active_(rowsNotZero(matrix)) {
     if (active_.empty()) {
         throw SolverError("the mass matrix is zero: the two sides of the interface do "
                           "not meet");
     }
     // Beyond this condition Cholesky's solution has no digit that SPQR would call certain.
     constexpr double largestCondition = 1e13;
-    auto cholesky = std::make_unique<Cholesky>(reduced_);
+    const ColumnMatrix reduced = restricted(matrix, active_);
+    auto cholesky = std::make_unique<Cholesky>(reduced);
     if (cholesky->succeeded()) {
-        condition_ = conditionWith(*cholesky);
+        condition_ = cholesky->condition(reduced);
         if (condition_ < largestCondition) {
             rank_ = nActive();
             factorisation_ = std::move(cholesky);
             return;
         }
     }
-    auto pseudoInverse = std::make_unique<PseudoInverse>(reduced_);
+    auto pseudoInverse = std::make_unique<PseudoInverse>(reduced);
     rank_ = pseudoInverse->rank();
     if (rank_ < nActive() && singular == SingularMass::refuse) {
         throw SolverError(fmt::format("the mass matrix of the destination is singular: {} "
@@ -115,7 +119,7 @@ MassInverse::MassInverse(const RowSparseMatrix& matrix, SingularMass singular,
                                       "edge that the basis interpolates",
                                       nActive(), rank_));
     }
-    condition_ = conditionWith(*pseudoInverse);
+    condition_ = pseudoInverse->condition(reduced);
     factorisation_ = std::move(pseudoInverse);
     if (isSingular() && singular == SingularMass::gradientTerm) {
         extension_ = std::make_unique<GradientExtension>(matrix, gradientTerm);

@@ -57,12 +57,10 @@ class MassInverse {
     class Cholesky;
     class PseudoInverse;
 
-    double conditionWith(const Factorisation& factorisation) const;
     Eigen::MatrixXd solveByFactors(const Eigen::MatrixXd& rhs) const;
 
     int n_;
     std::vector<int> active_;
-    Eigen::SparseMatrix<double> reduced_;
     std::unique_ptr<Factorisation> factorisation_;
     std::unique_ptr<GradientExtension> extension_;
     int rank_;

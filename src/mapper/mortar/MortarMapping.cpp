@@ -86,14 +86,14 @@ void integrateIntersection(const SurfaceInterface& from, const SurfaceMesh& to,
         if (gaps.count(at.position, at.gap, true, false, at.weight)) {
             assembler.add(at.weight, onMesh, at.onPatch);
         } else {
-            assembler.addUnmatched(onMesh);
+            assembler.addUnmatched(onMesh.values);
         }
     };
     visitor.endTriangle = [&](int triangle, double coveredShare) {
         if (coveredShare < 1 - 1e-9) {
             gaps.countUncovered((1 - coveredShare) * to.triangle(triangle).area());
             assembler.addUnmatched(
-                to.functions(triangle, geometry::Barycentric::Constant(1.0 / 3)));
+                to.functions(triangle, geometry::Barycentric::Constant(1.0 / 3)).values);
         }
         if (triangle + 1 == to.nTriangles() || to.faceOf(triangle + 1) != to.faceOf(triangle)) {
             assembler.endGroup();
@@ -248,12 +248,12 @@ void MortarMapping::interpolate(const std::vector<int>& values, const Discretisa
     mass_ = freeMass + toGiven;
 }
 
-void MortarMapping::finish(const MortarAssembler& assembler, const MortarOptions& options,
+void MortarMapping::finish(MortarAssembler& assembler, const MortarOptions& options,
                            const Discretisation& from, const Discretisation& to,
                            const RowSparseMatrix& gradientTerm) {
     report_.method = options.basis == MortarBasis::dual ? "mortar, dual basis" : "mortar";
-    mass_ = assembler.massMatrix();
-    cross_ = assembler.crossMatrix();
+    mass_ = assembler.takeMass();
+    cross_ = assembler.takeCross();
     if (!options.interpolated.empty()) {
         interpolate(options.interpolated, from, to);
         report_.method +=

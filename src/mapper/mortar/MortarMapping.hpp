@@ -88,7 +88,7 @@ class MortarMapping : public Mapping {
                MortarAssembler assembler, Integrate integrate, GradientTerm gradientTerm = {});
     void interpolate(const std::vector<int>& values, const Discretisation& from,
                      const Discretisation& to);
-    void finish(const MortarAssembler& assembler, const MortarOptions& options,
+    void finish(MortarAssembler& assembler, const MortarOptions& options,
                 const Discretisation& from, const Discretisation& to,
                 const RowSparseMatrix& gradientTerm);
 

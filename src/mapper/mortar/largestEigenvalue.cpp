@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace tokay::mapper {
 
@@ -25,22 +26,18 @@ Eigen::VectorXd startVector(Eigen::Index n) {
 double largestEigenvalue(Eigen::Index n,
                          const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& apply) {
     constexpr Eigen::Index mostSteps = 100;
-    constexpr double tolerance = 1e-4;
+    constexpr double tolerance = 1e-3;
     const Eigen::Index nSteps = std::min(n, mostSteps);
-    Eigen::MatrixXd basis(n, nSteps);
     Eigen::VectorXd diagonal(nSteps), offDiagonal(nSteps);
-    basis.col(0) = startVector(n);
+    Eigen::VectorXd before = Eigen::VectorXd::Zero(n), here = startVector(n);
     double eigenvalue = 0;
     for (Eigen::Index k = 0; k < nSteps; ++k) {
-        Eigen::VectorXd next = apply(basis.col(k));
-        diagonal[k] = basis.col(k).dot(next);
+        Eigen::VectorXd next = apply(here);
+        diagonal[k] = here.dot(next);
         if (!std::isfinite(diagonal[k])) {
             return std::numeric_limits<double>::infinity();
         }
-        const auto known = basis.leftCols(k + 1);
-        for (int pass = 0; pass < 2; ++pass) {
-            next -= known * (known.transpose() * next).eval();
-        }
+        next -= diagonal[k] * here + (k > 0 ? offDiagonal[k - 1] : 0) * before;
         offDiagonal[k] = next.norm();
 
         // Tridiagonal already, which SymmetricEigen would not make use of
@@ -51,7 +48,7 @@ double largestEigenvalue(Eigen::Index n,
         if (residual <= tolerance * eigenvalue || k + 1 == nSteps) {
             break;
         }
-        basis.col(k + 1) = next / offDiagonal[k];
+        before = std::exchange(here, next / offDiagonal[k]);
     }
     return eigenvalue;
 }

@@ -7,7 +7,7 @@
 
 namespace tokay::mapper {
 
-/// Largest eigenvalue, to about 1e-4 of it, of a symmetric operator on n numbers
+/// Largest eigenvalue, to about 1e-3 of it, of a symmetric operator on n numbers
 /// without negative ones; infinite if the operator gives what is not finite.
 /// Source: Golub & Van Loan, Matrix Computations, section 10.1 (Lanczos)
 double largestEigenvalue(Eigen::Index n,
