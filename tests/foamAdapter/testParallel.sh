@@ -45,11 +45,24 @@ facesOfRanks()
     done | tr '\n' ' '
 }
 
+# expectGatherTimed: a part of what forces and structure take, in each time step
+expectGatherTimed()
+{
+    awk '
+        /time\[s\]/ { for (i = 2; i <= NF; i++) column[$i] = i - 1; isThere = "gather[s]" in column }
+        /^#/ { next }
+        { n++; gather = $column["gather[s]"] }
+        !(gather > 0 && gather <= $column["force[s]"] + $column["structure[s]"]) { wrong = 1 }
+        END { exit !(n && isThere && !wrong) }' parallel/postProcessing/structure/0/coupling.dat \
+        || fail "gather[s] is not a part of force[s] and structure[s]"
+}
+
 property twoRanks "two ranks that share the interface give the points, faces and forces of one"
 twoRanks()
 {
     compareWithSerial 2
     [[ " $(facesOfRanks)" != *" 0 "* ]] || fail "the ranks do not share the interface: $(facesOfRanks)"
+    expectGatherTimed
 }
 
 property emptyRank "ranks without an interface face take part"

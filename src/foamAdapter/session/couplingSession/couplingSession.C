@@ -87,7 +87,7 @@ void Foam::couplingSession::beginTimeStep()
     message.time = mesh_.time().value();
     message.deltaT = mesh_.time().deltaTValue();
 
-    displacement_ = interface_.distribute
+    displacement_ = distribute
     (
         structure_.exchange
         (
@@ -141,6 +141,30 @@ Foam::vectorField Foam::couplingSession::evaluateForces(const bool final)
 }
 
 
+std::vector<double> Foam::couplingSession::collect
+(
+    const vectorField& forces
+)
+{
+    const scalar start = stepController::wallClock();
+    std::vector<double> values(interface_.collect(forces));
+    step_.current().gatherSeconds += stepController::wallClock() - start;
+    return values;
+}
+
+
+Foam::List<Foam::vectorField> Foam::couplingSession::distribute
+(
+    const std::vector<double>& values
+)
+{
+    const scalar start = stepController::wallClock();
+    List<vectorField> ofPatches(interface_.distribute(values));
+    step_.current().gatherSeconds += stepController::wallClock() - start;
+    return ofPatches;
+}
+
+
 void Foam::couplingSession::iterate(const bool final, const bool ifConverged)
 {
     const scalar start = stepController::wallClock();
@@ -159,7 +183,7 @@ void Foam::couplingSession::iterate(const bool final, const bool ifConverged)
     {
         message.fluidResidual = current.fluidResidual;
     }
-    message.values = interface_.collect(forces);
+    message.values = collect(forces);
     if (message.write)
     {
         message.fluidTimes = restartFiles::keptTimes(mesh_.time());
@@ -215,7 +239,7 @@ void Foam::couplingSession::receive
         }
         return;
     }
-    nextDisplacement_ = interface_.distribute(solution.values);
+    nextDisplacement_ = distribute(solution.values);
     step_.current().converged = state == static_cast<label>(State::converged);
 }
 

@@ -17,6 +17,7 @@ Foam::wordList couplingColumns()
         "force[s]", "structure[s]"
     });
     columns.append(Foam::phaseClock::columns());
+    columns.append("gather[s]");
     return columns;
 }
 
@@ -103,7 +104,7 @@ void Foam::stepTables::write(const stepController::statistics& step)
     {
         os  << tab << seconds;
     }
-    os  << endl;
+    os  << tab << step.gatherSeconds << endl;
 }
 
 
