@@ -15,34 +15,22 @@ using geometry::Barycentric;
 using geometry::Box;
 using geometry::Triangle;
 
-namespace {
-
-Box boxOf(const Triangle& triangle) {
-    Box box = Box::empty();
-    for (int i = 0; i < 3; ++i) {
-        box.include(triangle.corner(i));
-    }
-    return box;
-}
-
-} // namespace
-
 SurfaceMesh::SurfaceMesh(Points vertices, Faces faces, ValuesAt valuesAt)
     : vertices_(std::move(vertices)), faces_(std::move(faces)), valuesAt_(valuesAt),
-      centroids_(Points::Zero(faces_.size(), 3)) {
+      centres_(Points::Zero(faces_.size(), 3)), centroids_(centres_) {
     checkPoints(vertices_);
     if (faces_.empty()) {
         throw InputError("the mesh of the interface has no face");
     }
+    std::vector<Box> boxes;
+    boxes.reserve(faces_.size());
+    Box all = Box::empty();
+    firstTriangle_.assign(1, 0);
     for (int face = 0; face < nFaces(); ++face) {
         checkFace(face);
         addTriangles(face);
-    }
-    std::vector<Box> boxes;
-    boxes.reserve(triangles_.size());
-    Box all = Box::empty();
-    for (const Triangle& triangle : triangles_) {
-        boxes.push_back(boxOf(triangle));
+        // Triangles around the centre lie within the vertices' box.
+        boxes.push_back(Box::around(vertices_(faces_[face], Eigen::all)));
         all.include(boxes.back());
     }
     size_ = all.diagonal();
@@ -70,12 +58,13 @@ void SurfaceMesh::checkFace(int face) const {
 void SurfaceMesh::addTriangles(int face) {
     const std::vector<int>& corners = faces_[face];
     const int n = static_cast<int>(corners.size());
-    const Points points = vertices_(corners, Eigen::all);
-    const Point centre = points.colwise().mean();
+    const Point centre = vertices_(corners, Eigen::all).colwise().mean();
+    centres_.row(face) = centre;
     double area = 0, longest = 0;
-    for (int i = 0; i < (n == 3 ? 1 : n); ++i) {
-        const Triangle triangle = n == 3 ? Triangle(points.row(0), points.row(1), points.row(2))
-                                         : Triangle(points.row(i), points.row((i + 1) % n), centre);
+    firstTriangle_.push_back(firstTriangle_[face] + (n == 3 ? 1 : n));
+    faceOf_.resize(firstTriangle_[face + 1], face);
+    for (int i = 0; firstTriangle_[face] + i < firstTriangle_[face + 1]; ++i) {
+        const Triangle triangle = this->triangle(firstTriangle_[face] + i);
         for (int j = 0; j < 3; ++j) {
             longest = std::max(longest, (triangle.corner(j) - triangle.corner((j + 1) % 3)).norm());
         }
@@ -90,11 +79,16 @@ void SurfaceMesh::addTriangles(int face) {
         area += triangle.area();
         centroids_.row(face) +=
             triangle.area() * triangle.at(Barycentric::Constant(1.0 / 3)).transpose();
-        triangles_.push_back(triangle);
-        faceOf_.push_back(face);
-        startOf_.push_back(i);
     }
     centroids_.row(face) /= area;
+}
+
+Triangle SurfaceMesh::triangle(int i) const {
+    const int face = faceOf_[i], start = i - firstTriangle_[face];
+    const std::vector<int>& corners = faces_[face];
+    const std::size_t next = start + 1;
+    return {vertices_.row(corners[start]), vertices_.row(corners[next < corners.size() ? next : 0]),
+            corners.size() == 3 ? Point(vertices_.row(corners[2])) : Point(centres_.row(face))};
 }
 
 const Points& SurfaceMesh::coordinates() const {
@@ -102,7 +96,7 @@ const Points& SurfaceMesh::coordinates() const {
 }
 
 std::array<int, 3> SurfaceMesh::cornerNumbers(int triangle) const {
-    const int face = faceOf_[triangle], start = startOf_[triangle];
+    const int face = faceOf_[triangle], start = triangle - firstTriangle_[face];
     const std::vector<int>& corners = faces_[face];
     const int n = static_cast<int>(corners.size());
     if (n == 3) {
@@ -125,7 +119,8 @@ void SurfaceMesh::evaluate(int triangle, const Barycentric& at, Functions& funct
         return;
     }
     functions.values = faces_[face];
-    const int n = static_cast<int>(functions.values.size()), start = startOf_[triangle];
+    const int n = static_cast<int>(functions.values.size()),
+              start = triangle - firstTriangle_[face];
     if (n == 3) {
         functions.weights = at;
         return;
@@ -143,7 +138,8 @@ void SurfaceMesh::evaluateCorners(int triangle, CornerFunctions& functions) cons
         return;
     }
     functions.values = faces_[face];
-    const int n = static_cast<int>(functions.values.size()), start = startOf_[triangle];
+    const int n = static_cast<int>(functions.values.size()),
+              start = triangle - firstTriangle_[face];
     if (n == 3) {
         functions.weights.setIdentity(3, 3);
         return;
@@ -158,11 +154,14 @@ Location SurfaceMesh::locate(const Point& point) const {
     geometry::ClosestCandidate candidate(size_);
     int nearest = 0;
     Barycentric at = Barycentric::Zero();
-    tree_->visitNearest(point, [&](int i) {
-        const Barycentric found = triangles_[i].closest(point);
-        if (candidate.offer(triangles_[i].at(found) - point)) {
-            nearest = i;
-            at = found;
+    tree_->visitNearest(point, [&](int face) {
+        for (int number = firstTriangle_[face]; number < firstTriangle_[face + 1]; ++number) {
+            const Triangle triangle = this->triangle(number);
+            const Barycentric found = triangle.closest(point);
+            if (candidate.offer(triangle.at(found) - point)) {
+                nearest = number;
+                at = found;
+            }
         }
         return candidate.squaredLimit();
     });

@@ -33,9 +33,11 @@ class SurfaceMesh : public Discretisation {
     const Points& vertices() const { return vertices_; }
     int nFaces() const { return static_cast<int>(faces_.size()); }
     /// Triangles of all faces; those of one face follow each other.
-    int nTriangles() const { return static_cast<int>(triangles_.size()); }
-    const geometry::Triangle& triangle(int i) const { return triangles_[i]; }
+    int nTriangles() const { return static_cast<int>(faceOf_.size()); }
+    geometry::Triangle triangle(int i) const;
     int faceOf(int triangle) const { return faceOf_[triangle]; }
+    /// Its triangles are those from here to the first one of the next face.
+    int firstTriangle(int face) const { return firstTriangle_[face]; }
     /// Corners that triangles share have the same number: the vertex, or for the
     /// centre of a face the number of vertices plus that of the face.
     std::array<int, 3> cornerNumbers(int triangle) const;
@@ -53,7 +55,7 @@ class SurfaceMesh : public Discretisation {
     /// Degree of the functions on a triangle.
     int degree() const { return valuesAt_ == ValuesAt::vertices ? 1 : 0; }
 
-    /// Tree over the boxes of the triangles.
+    /// Tree over the boxes of the faces.
     const geometry::BoxTree& tree() const { return *tree_; }
 
   private:
@@ -63,11 +65,11 @@ class SurfaceMesh : public Discretisation {
     Points vertices_;
     Faces faces_;
     ValuesAt valuesAt_;
-    Points centroids_;
-    std::vector<geometry::Triangle> triangles_;
-    std::vector<int> faceOf_;
-    /// Number in its face of the triangle's first vertex.
-    std::vector<int> startOf_;
+    /// Of each face: the mean of its vertices, and the centre of its area.
+    Points centres_, centroids_;
+    std::vector<int> faceOf_;        ///< of each triangle; the triangles themselves would take
+                                     ///< more memory than all the rest
+    std::vector<int> firstTriangle_; ///< nFaces + 1
     double size_;
     std::unique_ptr<geometry::BoxTree> tree_;
 };

@@ -57,6 +57,19 @@ double TriangleOverlap::share(int i) const {
     return isTurned_ ? -signedShare(i) : signedShare(i);
 }
 
+/// Over a triangle, the mean of a product of linear functions is a twelfth of the sum of their
+/// products at the corners and of the product of their sums.
+Eigen::Matrix3d TriangleOverlap::moments() const {
+    Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+    for (int i = 1; i + 1 < nCorners_; ++i) {
+        Eigen::Matrix<double, 3, 4> terms;
+        terms << corners_[0], corners_[i], corners_[i + 1],
+            corners_[0] + corners_[i] + corners_[i + 1];
+        moments += share(i) / 12 * terms * terms.transpose();
+    }
+    return moments;
+}
+
 Barycentric TriangleOverlap::middle() const {
     Barycentric sum = Barycentric::Zero();
     for (int i = 0; i < nCorners_; ++i) {

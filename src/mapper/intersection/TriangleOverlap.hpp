@@ -20,6 +20,9 @@ class TriangleOverlap {
     double share() const { return share_; }
     /// The same of the triangle of corners 0, i and i + 1; their sum is the whole.
     double share(int i) const;
+    /// Integral of the products of the barycentric coordinates over it, as a share of the area of
+    /// the triangle.
+    Eigen::Matrix3d moments() const;
     /// Mean of the corners.
     geometry::Barycentric middle() const;
 

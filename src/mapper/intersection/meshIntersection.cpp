@@ -61,9 +61,26 @@ class Height {
     Point origin_, normal_;
 };
 
+/// A triangle of the source that may matter.
+struct Candidate {
+    int number;
+    Triangle triangle;
+    Box box;
+};
+
+void appendTriangles(const SurfaceMesh& mesh, const std::vector<int>& faces,
+                     std::vector<Candidate>& candidates) {
+    for (const int face : faces) {
+        for (int i = mesh.firstTriangle(face); i < mesh.firstTriangle(face + 1); ++i) {
+            const Triangle triangle = mesh.triangle(i);
+            candidates.push_back({i, triangle, boxOf(triangle)});
+        }
+    }
+}
+
 /// Part of a destination triangle over which a source triangle lies.
 struct Piece {
-    int source;
+    const Candidate* source;
     TriangleOverlap overlap;
     Height height; ///< over the source
     Point middle;
@@ -85,9 +102,8 @@ class Rivals {
             clearance = std::max(clearance, piece.clearance);
         }
         if (clearance > 0) {
-            for (const int i : from_.tree().overlapping(grown(boxOf(destination), clearance))) {
-                rivals_.push_back({i, boxOf(from_.triangle(i))});
-            }
+            appendTriangles(from_, from_.tree().overlapping(grown(boxOf(destination), clearance)),
+                            rivals_);
         }
     }
 
@@ -96,8 +112,8 @@ class Rivals {
             return true;
         }
         const Box near = grown({piece.middle, piece.middle}, piece.clearance);
-        return std::none_of(rivals_.begin(), rivals_.end(), [&](const Rival& rival) {
-            return rival.box.overlaps(near) && isNearer(from_.triangle(rival.triangle), piece);
+        return std::none_of(rivals_.begin(), rivals_.end(), [&](const Candidate& rival) {
+            return rival.box.overlaps(near) && isNearer(rival.triangle, piece);
         });
     }
 
@@ -106,12 +122,8 @@ class Rivals {
         return (rival.at(rival.closest(piece.middle)) - piece.middle).norm() < piece.clearance;
     }
 
-    struct Rival {
-        int triangle;
-        Box box;
-    };
     const SurfaceMesh& from_;
-    std::vector<Rival> rivals_;
+    std::vector<Candidate> rivals_;
 };
 
 class Integration {
@@ -122,55 +134,117 @@ class Integration {
           gaps_(gaps), rivals_(from),
           rule_(geometry::triangleRule(to.degree() + std::max(from.degree(), to.degree()))) {}
 
-    void overTriangle(int number) {
-        const Triangle& destination = to_.triangle(number);
-        to_.evaluateCorners(number, onTo_);
-        gatherPieces(destination);
-        rivals_.gather(destination, pieces_);
-        double covered = 0;
-        for (const Piece& piece : pieces_) {
-            if (rivals_.isClosest(piece)) {
-                integrate(destination, piece);
-                covered += piece.overlap.share();
-            }
+    void overFace(int face) {
+        destinations_.clear();
+        appendTriangles(to_, {face}, destinations_);
+        gatherCandidates();
+        for (const Candidate& destination : destinations_) {
+            overTriangle(destination);
         }
-        countUncovered(destination.area(), 1 - covered);
+        assembler_.endGroup();
     }
 
   private:
+    /// Within reach of the face, and seen along the normal of one of its triangles.
+    void gatherCandidates() {
+        Box within = Box::empty();
+        views_.clear();
+        for (const Candidate& destination : destinations_) {
+            within.include(destination.box);
+            views_.emplace_back(destination.triangle);
+        }
+        within = grown(within, reach_);
+        candidates_.clear();
+        appendTriangles(from_, from_.tree().meeting([&](const Box& box) {
+            return box.overlaps(within) &&
+                   std::any_of(views_.begin(), views_.end(),
+                               [&](const View& view) { return view.meets(box); });
+        }),
+                        candidates_);
+    }
+
+    void overTriangle(const Candidate& destination) {
+        to_.evaluateCorners(destination.number, onTo_);
+        gatherPieces(destination);
+        rivals_.gather(destination.triangle, pieces_);
+        double covered = 0;
+        for (const Piece& piece : pieces_) {
+            if (rivals_.isClosest(piece)) {
+                integrate(destination.triangle, piece);
+                covered += piece.overlap.share();
+            }
+        }
+        countUncovered(destination.triangle.area(), 1 - covered);
+    }
+
     /// Of triangles within reach of which the box, seen along the normal, meets the triangle: no
     /// other one has a piece of it.
-    void gatherPieces(const Triangle& destination) {
-        const Box within = grown(boxOf(destination), reach_);
-        const View view(destination);
-        const std::vector<int> sources = from_.tree().meeting(
-            [&](const Box& box) { return box.overlaps(within) && view.meets(box); });
+    void gatherPieces(const Candidate& destination) {
+        const Box within = grown(destination.box, reach_);
+        const View& view = views_[&destination - destinations_.data()];
         pieces_.clear();
-        for (const int source : sources) {
-            const Triangle& triangle = from_.triangle(source);
-            const TriangleOverlap overlap(destination, triangle);
+        for (const Candidate& source : candidates_) {
+            if (!source.box.overlaps(within) || !view.meets(source.box)) {
+                continue;
+            }
+            const TriangleOverlap overlap(destination.triangle, source.triangle);
             // A touching neighbour gives a piece of rounding size.
             if (overlap.share() > 1e-14) {
-                const Height height(triangle);
-                const Point middle = destination.at(overlap.middle());
+                const Height height(source.triangle);
+                const Point middle = destination.triangle.at(overlap.middle());
                 const double clearance = 0.5 * (std::abs(height.of(middle)) - 1e-6 * from_.size());
-                pieces_.push_back({source, overlap, height, middle, clearance});
+                pieces_.push_back({&source, overlap, height, middle, clearance});
             }
         }
     }
 
     /// All functions are linear on a piece, so their products follow from those of the
-    /// triangles' barycentric coordinates.
+    /// destination's barycentric coordinates; the source's are linear in these.
     void integrate(const Triangle& destination, const Piece& piece) {
-        const Triangle& source = from_.triangle(piece.source);
-        const double whole = destination.area();
-        Eigen::Matrix3d mass = Eigen::Matrix3d::Zero(), cross = mass;
+        if (!isWithinReach(destination, piece)) {
+            integrateByPoints(destination, piece);
+            return;
+        }
+        const Eigen::Matrix3d mass = destination.area() * piece.overlap.moments();
+        enter(piece, true, false, mass, mass * seenFromSource(destination, piece).transpose());
+    }
+
+    /// Counts the corner with the largest gap, which no point of the piece exceeds.
+    bool isWithinReach(const Triangle& destination, const Piece& piece) {
+        double gap = -1;
+        Point corner = Point::Zero();
+        for (int i = 0; i < piece.overlap.nCorners(); ++i) {
+            const Point point = destination.at(piece.overlap.corner(i));
+            const double here = std::abs(piece.height.of(point));
+            if (here > gap) {
+                gap = here;
+                corner = point;
+            }
+        }
+        if (gap > reach_) {
+            return false;
+        }
+        return gaps_.count(corner, gap, true, false, piece.overlap.share() * destination.area());
+    }
+
+    /// Column i: the source's barycentric coordinates at the destination's corner i.
+    static Eigen::Matrix3d seenFromSource(const Triangle& destination, const Piece& piece) {
+        Eigen::Matrix3d coordinates;
+        for (int i = 0; i < 3; ++i) {
+            coordinates.col(i) = piece.source->triangle.barycentric(destination.corner(i));
+        }
+        return coordinates;
+    }
+
+    /// A piece of which a part is out of reach, which then counts as unmatched.
+    void integrateByPoints(const Triangle& destination, const Piece& piece) {
+        Eigen::Matrix3d mass = Eigen::Matrix3d::Zero();
         bool isMatched = false, isUnmatched = false;
         for (int i = 1; i + 1 < piece.overlap.nCorners(); ++i) {
             Eigen::Matrix3d corners;
             corners << piece.overlap.corner(0), piece.overlap.corner(i),
                 piece.overlap.corner(i + 1);
-            const double area = piece.overlap.share(i) * whole;
+            const double area = piece.overlap.share(i) * destination.area();
             for (std::size_t k = 0; k < rule_.points.size(); ++k) {
                 const Barycentric here = corners * rule_.points[k];
                 const Point point = destination.at(here);
@@ -179,19 +253,18 @@ class Integration {
                     isUnmatched = true;
                     continue;
                 }
-                const Barycentric weighted = weight * here;
-                mass += weighted * here.transpose();
-                cross += weighted * source.barycentric(point).transpose();
+                mass += weight * here * here.transpose();
                 isMatched = true;
             }
         }
-        enter(piece.source, isMatched, isUnmatched, mass, cross);
+        enter(piece, isMatched, isUnmatched, mass,
+              mass * seenFromSource(destination, piece).transpose());
     }
 
-    void enter(int fromTriangle, bool isMatched, bool isUnmatched, const Eigen::Matrix3d& mass,
+    void enter(const Piece& piece, bool isMatched, bool isUnmatched, const Eigen::Matrix3d& mass,
                const Eigen::Matrix3d& cross) {
         if (isMatched) {
-            from_.evaluateCorners(fromTriangle, onFrom_);
+            from_.evaluateCorners(piece.source->number, onFrom_);
             assembler_.add(onTo_, onFrom_, mass, cross);
         }
         if (isUnmatched) {
@@ -213,7 +286,11 @@ class Integration {
     GapStatistics& gaps_;
     Rivals rivals_;
     const geometry::TriangleRule& rule_;
-    std::vector<Piece> pieces_;
+    /// Of the face: its triangles, what each sees, and what of the source may lie over it.
+    std::vector<Candidate> destinations_;
+    std::vector<View> views_;
+    std::vector<Candidate> candidates_;
+    std::vector<Piece> pieces_; ///< of a triangle
     CornerFunctions onTo_, onFrom_;
 };
 
@@ -222,11 +299,8 @@ class Integration {
 void integrateIntersection(const SurfaceMesh& from, const SurfaceMesh& to, const GapLimit& gapLimit,
                            MortarAssembler& assembler, GapStatistics& gaps) {
     Integration integration(from, to, gapLimit, assembler, gaps);
-    for (int i = 0; i < to.nTriangles(); ++i) {
-        integration.overTriangle(i);
-        if (i + 1 == to.nTriangles() || to.faceOf(i + 1) != to.faceOf(i)) {
-            assembler.endGroup();
-        }
+    for (int face = 0; face < to.nFaces(); ++face) {
+        integration.overFace(face);
     }
 }
 

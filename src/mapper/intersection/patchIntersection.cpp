@@ -49,6 +49,11 @@ bool coversArea(const Polygon& polygon, const geometry::ParameterBox& box) {
     return signedArea(polygon) > rounding * longest * size.prod();
 }
 
+struct NumberedTriangle {
+    int number;
+    Triangle plane;
+};
+
 class Intersection {
   public:
     Intersection(const SurfaceMesh& mesh, const SurfaceInterface& splines, double reach, int degree,
@@ -61,14 +66,15 @@ class Intersection {
     }
 
     void run() {
-        for (int triangle = 0; triangle < mesh_.nTriangles(); ++triangle) {
-            const std::vector<int> pieces = tree_.overlapping(reachOf(triangle));
+        for (int number = 0; number < mesh_.nTriangles(); ++number) {
+            const NumberedTriangle triangle = {number, mesh_.triangle(number)};
+            const std::vector<int> pieces = tree_.overlapping(reachOf(triangle.plane));
             hasRivals_ = pieces.size() > 1;
             double share = 0;
             for (const int piece : pieces) {
                 share += overPatch(triangle, piece);
             }
-            visitor_.endTriangle(triangle, std::min(share, 1.0));
+            visitor_.endTriangle(number, std::min(share, 1.0));
         }
     }
 
@@ -81,20 +87,20 @@ class Intersection {
         return boxes;
     }
 
-    geometry::Box reachOf(int triangle) const {
+    geometry::Box reachOf(const Triangle& triangle) const {
         geometry::Box box = geometry::Box::empty();
         for (int i = 0; i < 3; ++i) {
-            box.include(mesh_.triangle(triangle).corner(i));
+            box.include(triangle.corner(i));
         }
         return {box.lower - Point::Constant(reach_), box.upper + Point::Constant(reach_)};
     }
 
     /// @return share of the triangle that the patch covers
-    double overPatch(int triangle, int piece) {
+    double overPatch(const NumberedTriangle& triangle, int piece) {
         std::array<ProjectedCorner, 3> corners;
         double least = std::numeric_limits<double>::infinity();
         for (int i = 0; i < 3; ++i) {
-            corners[i] = corners_.at(triangle, i, piece);
+            corners[i] = corners_.at(triangle.number, i, piece);
             least = std::min(least, corners[i].gap);
             if (!corners[i].converged) {
                 return 0;
@@ -104,8 +110,7 @@ class Intersection {
             return 0;
         }
         double covered = 0, whole = 0;
-        for (const auto& part :
-             partsAroundPole(splines_, piece, mesh_.triangle(triangle), corners)) {
+        for (const auto& part : partsAroundPole(splines_, piece, triangle.plane, corners)) {
             const TrimmedPatch& patch = splines_.piece(piece).patch;
             const Polygon polygon = parameterPolygon(patch.basis(), splines_.isClosed(piece), part);
             if (coversArea(polygon, patch.box())) {
@@ -117,7 +122,7 @@ class Intersection {
     }
 
     /// A polygon over a seam lies at both ends of the parameter range.
-    double overAllTurns(int triangle, int piece, const Polygon& polygon) {
+    double overAllTurns(const NumberedTriangle& triangle, int piece, const Polygon& polygon) {
         const std::array<bool, 2> isClosed = splines_.isClosed(piece);
         if (!isClosed[0] && !isClosed[1]) {
             return overElements(triangle, piece, polygon);
@@ -136,7 +141,7 @@ class Intersection {
         return area;
     }
 
-    double overElements(int triangle, int piece, const Polygon& polygon) {
+    double overElements(const NumberedTriangle& triangle, int piece, const Polygon& polygon) {
         const TrimmedPatch& patch = splines_.piece(piece).patch;
         Eigen::Vector2d lower = polygon[0], upper = polygon[0];
         for (const Eigen::Vector2d& x : polygon) {
@@ -161,7 +166,8 @@ class Intersection {
     }
 
     /// @param cell  the part of the triangle's image in the element
-    double overElement(int triangle, int piece, int element, const Polygon& cell) {
+    double overElement(const NumberedTriangle& triangle, int piece, int element,
+                       const Polygon& cell) {
         const TrimmedPatch& patch = splines_.piece(piece).patch;
         if (patch.state(element) == ElementState::empty || cell.size() < 3 ||
             (hasRivals_ && !isClosest(triangle, piece, cell))) {
@@ -185,27 +191,28 @@ class Intersection {
     }
 
     /// Nearest of the patches within reach, such as the two sides of a thin body.
-    bool isClosest(int triangle, int piece, const Polygon& cell) const {
+    bool isClosest(const NumberedTriangle& triangle, int piece, const Polygon& cell) const {
         Eigen::Vector2d middle = Eigen::Vector2d::Zero();
         for (const Eigen::Vector2d& x : cell) {
             middle += x / static_cast<double>(cell.size());
         }
-        const Triangle& plane = mesh_.triangle(triangle);
+        const Triangle& plane = triangle.plane;
         const Point here = splines_.piece(piece).patch.basis().point(middle[0], middle[1]);
         const Point foot = plane.at(plane.barycentric(here));
         const double least = splines_.closest(foot).onSurface.distance;
         return (here - foot).norm() <= 2 * least + 1e-6 * splines_.size();
     }
 
-    void visit(int triangle, int piece, int element, const geometry::ParameterPoint& at) {
+    void visit(const NumberedTriangle& triangle, int piece, int element,
+               const geometry::ParameterPoint& at) {
         geometry::SurfaceEvaluator& surface = evaluators_[piece];
         surface.evaluate(at.xi, at.eta);
         const std::vector<int>& numbers = splines_.piece(piece).controlPoints;
         point_.position = surface.point();
         point_.weight = at.weight * surface.jacobian();
-        point_.triangle = triangle;
-        point_.inTriangle = mesh_.triangle(triangle).barycentric(point_.position);
-        point_.gap = (mesh_.triangle(triangle).at(point_.inTriangle) - point_.position).norm();
+        point_.triangle = triangle.number;
+        point_.inTriangle = triangle.plane.barycentric(point_.position);
+        point_.gap = (triangle.plane.at(point_.inTriangle) - point_.position).norm();
         point_.piece = piece;
         point_.element = splines_.elementNumber(piece, element);
         point_.onPatch.values = surface.controlPoints();

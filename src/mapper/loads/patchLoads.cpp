@@ -125,7 +125,7 @@ LoadPoints integratedLoads(const SurfaceInterface& splines, const FaceMesh& face
         places.push_back({point.inTriangle, point.weight});
     };
     visitor.endTriangle = [&](int number, double coveredShare) {
-        const Triangle& triangle = mesh.triangle(number);
+        const Triangle triangle = mesh.triangle(number);
         if (coveredShare < whole || !restoreArea(places)) {
             places = evenlyDivided(nDivisions(splines, triangle));
         }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/quadrature/triangleRule.hpp"
 #include "mapper/intersection/TriangleOverlap.hpp"
 
 #include <gtest/gtest.h>
@@ -55,6 +56,33 @@ TEST(TriangleOverlap, of_two_triangles_with_a_hexagon_in_common_consists_of_its_
     EXPECT_LT((overlap.middle() - Barycentric::Constant(1.0 / 3)).norm(), 1e-15);
     for (int i = 0; i < 6; ++i) {
         EXPECT_GE(overlap.corner(i).minCoeff(), 0);
+    }
+}
+
+TEST(TriangleOverlap, of_a_triangle_with_itself_has_the_moments_of_barycentric_coordinates) {
+    // a! b! c! 2! / (a + b + c + 2)! of the products of powers a, b, c
+    Eigen::Matrix3d exact = Eigen::Matrix3d::Constant(1.0 / 12);
+    exact.diagonal().setConstant(1.0 / 6);
+    EXPECT_LT((TriangleOverlap(below, below).moments() - exact).norm(), 1e-15);
+}
+
+TEST(TriangleOverlap, has_the_moments_that_a_quadrature_rule_finds) {
+    const Triangle above({-0.3, 0.4, 1}, {1.5, -0.2, 2}, {1.1, 1.7, -1});
+    for (const Triangle& other :
+         {above, Triangle(above.corner(0), above.corner(2), above.corner(1))}) {
+        const TriangleOverlap overlap(below, other);
+        ASSERT_GT(overlap.nCorners(), 4);
+        const geometry::TriangleRule& rule = geometry::triangleRule(2);
+        Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+        for (int i = 1; i + 1 < overlap.nCorners(); ++i) {
+            Eigen::Matrix3d corners;
+            corners << overlap.corner(0), overlap.corner(i), overlap.corner(i + 1);
+            for (std::size_t k = 0; k < rule.points.size(); ++k) {
+                const Barycentric at = corners * rule.points[k];
+                moments += overlap.share(i) * rule.weights[k] * at * at.transpose();
+            }
+        }
+        EXPECT_LT((overlap.moments() - moments).norm(), 1e-15);
     }
 }
 
