@@ -44,6 +44,8 @@ class BoxTree {
   public:
     explicit BoxTree(std::vector<Box> boxes);
 
+    const Box& box(int number) const { return boxes_[number]; }
+
     /// Visits boxes from near to far; the visitor returns the square of the
     /// distance beyond which no further box is wanted.
     void visitNearest(const Point& point, const std::function<double(int)>& visit) const;

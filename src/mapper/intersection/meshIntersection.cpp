@@ -80,7 +80,7 @@ void appendTriangles(const SurfaceMesh& mesh, const std::vector<int>& faces,
 
 /// Part of a destination triangle over which a source triangle lies.
 struct Piece {
-    const Candidate* source;
+    const Candidate *destination, *source;
     TriangleOverlap overlap;
     Height height; ///< over the source
     Point middle;
@@ -95,15 +95,15 @@ class Rivals {
     explicit Rivals(const SurfaceMesh& from) : from_(from) {}
 
     /// Gathers those that may be near to any of the pieces.
-    void gather(const Triangle& destination, const std::vector<Piece>& pieces) {
-        rivals_.clear();
+    /// @param box  of the pieces
+    void gather(const Box& box, const std::vector<Piece>& pieces) {
+        faces_.clear();
         double clearance = 0;
         for (const Piece& piece : pieces) {
             clearance = std::max(clearance, piece.clearance);
         }
         if (clearance > 0) {
-            appendTriangles(from_, from_.tree().overlapping(grown(boxOf(destination), clearance)),
-                            rivals_);
+            faces_ = from_.tree().overlapping(grown(box, clearance));
         }
     }
 
@@ -112,18 +112,26 @@ class Rivals {
             return true;
         }
         const Box near = grown({piece.middle, piece.middle}, piece.clearance);
-        return std::none_of(rivals_.begin(), rivals_.end(), [&](const Candidate& rival) {
-            return rival.box.overlaps(near) && isNearer(rival.triangle, piece);
+        return std::none_of(faces_.begin(), faces_.end(), [&](int face) {
+            return from_.tree().box(face).overlaps(near) && isNearer(face, piece);
         });
     }
 
   private:
-    static bool isNearer(const Triangle& rival, const Piece& piece) {
-        return (rival.at(rival.closest(piece.middle)) - piece.middle).norm() < piece.clearance;
+    bool isNearer(int face, const Piece& piece) const {
+        for (int i = from_.firstTriangle(face); i < from_.firstTriangle(face + 1); ++i) {
+            const Triangle rival = from_.triangle(i);
+            // Its plane is most often too far already.
+            if (std::abs(Height(rival).of(piece.middle)) < piece.clearance &&
+                (rival.at(rival.closest(piece.middle)) - piece.middle).norm() < piece.clearance) {
+                return true;
+            }
+        }
+        return false;
     }
 
     const SurfaceMesh& from_;
-    std::vector<Candidate> rivals_;
+    std::vector<int> faces_;
 };
 
 class Integration {
@@ -138,8 +146,22 @@ class Integration {
         destinations_.clear();
         appendTriangles(to_, {face}, destinations_);
         gatherCandidates();
+        pieces_.clear();
+        for (std::size_t i = 0; i < destinations_.size(); ++i) {
+            appendPieces(destinations_[i], views_[i]);
+        }
+        rivals_.gather(box_, pieces_);
+        auto piece = pieces_.begin();
         for (const Candidate& destination : destinations_) {
-            overTriangle(destination);
+            to_.evaluateCorners(destination.number, onTo_);
+            double covered = 0;
+            for (; piece != pieces_.end() && piece->destination == &destination; ++piece) {
+                if (rivals_.isClosest(*piece)) {
+                    integrate(*piece);
+                    covered += piece->overlap.share();
+                }
+            }
+            countUncovered(destination.triangle.area(), 1 - covered);
         }
         assembler_.endGroup();
     }
@@ -147,13 +169,13 @@ class Integration {
   private:
     /// Within reach of the face, and seen along the normal of one of its triangles.
     void gatherCandidates() {
-        Box within = Box::empty();
+        box_ = Box::empty();
         views_.clear();
         for (const Candidate& destination : destinations_) {
-            within.include(destination.box);
+            box_.include(destination.box);
             views_.emplace_back(destination.triangle);
         }
-        within = grown(within, reach_);
+        const Box within = grown(box_, reach_);
         candidates_.clear();
         appendTriangles(from_, from_.tree().meeting([&](const Box& box) {
             return box.overlaps(within) &&
@@ -163,26 +185,10 @@ class Integration {
                         candidates_);
     }
 
-    void overTriangle(const Candidate& destination) {
-        to_.evaluateCorners(destination.number, onTo_);
-        gatherPieces(destination);
-        rivals_.gather(destination.triangle, pieces_);
-        double covered = 0;
-        for (const Piece& piece : pieces_) {
-            if (rivals_.isClosest(piece)) {
-                integrate(destination.triangle, piece);
-                covered += piece.overlap.share();
-            }
-        }
-        countUncovered(destination.triangle.area(), 1 - covered);
-    }
-
     /// Of triangles within reach of which the box, seen along the normal, meets the triangle: no
     /// other one has a piece of it.
-    void gatherPieces(const Candidate& destination) {
+    void appendPieces(const Candidate& destination, const View& view) {
         const Box within = grown(destination.box, reach_);
-        const View& view = views_[&destination - destinations_.data()];
-        pieces_.clear();
         for (const Candidate& source : candidates_) {
             if (!source.box.overlaps(within) || !view.meets(source.box)) {
                 continue;
@@ -193,14 +199,15 @@ class Integration {
                 const Height height(source.triangle);
                 const Point middle = destination.triangle.at(overlap.middle());
                 const double clearance = 0.5 * (std::abs(height.of(middle)) - 1e-6 * from_.size());
-                pieces_.push_back({&source, overlap, height, middle, clearance});
+                pieces_.push_back({&destination, &source, overlap, height, middle, clearance});
             }
         }
     }
 
     /// All functions are linear on a piece, so their products follow from those of the
     /// destination's barycentric coordinates; the source's are linear in these.
-    void integrate(const Triangle& destination, const Piece& piece) {
+    void integrate(const Piece& piece) {
+        const Triangle& destination = piece.destination->triangle;
         if (!isWithinReach(destination, piece)) {
             integrateByPoints(destination, piece);
             return;
@@ -286,11 +293,13 @@ class Integration {
     GapStatistics& gaps_;
     Rivals rivals_;
     const geometry::TriangleRule& rule_;
-    /// Of the face: its triangles, what each sees, and what of the source may lie over it.
+    /// Of the face: its triangles, what each sees, their box, what of the source may lie over
+    /// it, and what does.
     std::vector<Candidate> destinations_;
     std::vector<View> views_;
+    Box box_ = Box::empty();
     std::vector<Candidate> candidates_;
-    std::vector<Piece> pieces_; ///< of a triangle
+    std::vector<Piece> pieces_;
     CornerFunctions onTo_, onFrom_;
 };
 
