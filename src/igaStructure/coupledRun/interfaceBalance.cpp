@@ -10,8 +10,7 @@ using geometry::Points;
 
 channel::InterfaceBalance interfaceBalance(const WetBoundary& boundary, const AuditedStep& step) {
     const InterfaceTransfer& transfer = boundary.transfer();
-    const Points onFaces = boundary.onFaces(step.forces);
-    const Points forces = transfer.controlForces(step.mapped, onFaces);
+    const Points forces = transfer.controlForces(step.mapped, boundary.onFaces(step.forces));
     const Points positions = transfer.controlPoints(step.after);
     Vector3d force = Vector3d::Zero();
     Vector3d moment = Vector3d::Zero();
@@ -20,7 +19,7 @@ channel::InterfaceBalance interfaceBalance(const WetBoundary& boundary, const Au
         force += f;
         moment += Vector3d(positions.row(i)).cross(f);
     }
-    const double work = transfer.forces(step.mapped, onFaces).dot(step.after - step.before);
+    const double work = transfer.onUnknowns(forces).dot(step.after - step.before);
     const Points& points = boundary.points();
     channel::InterfaceBalance balance;
     balance.force = {force.x(), force.y(), force.z()};

@@ -202,8 +202,11 @@ Points InterfaceTransfer::controlForces(const VectorXd& displacement, const Poin
 }
 
 VectorXd InterfaceTransfer::forces(const VectorXd& displacement, const Points& onFaces) const {
-    const Rows values =
-        depth_ * controlForces(displacement, onFaces).leftCols(model_.nComponents());
+    return onUnknowns(controlForces(displacement, onFaces));
+}
+
+VectorXd InterfaceTransfer::onUnknowns(const Points& controlForces) const {
+    const Rows values = depth_ * controlForces.leftCols(model_.nComponents());
     return model_.onUnknowns(Eigen::Map<const VectorXd>(values.data(), values.size()));
 }
 

@@ -73,6 +73,9 @@ class InterfaceTransfer {
     geometry::Points controlForces(const Eigen::VectorXd& displacement,
                                    const geometry::Points& onFaces) const;
 
+    /// What forces() are of controlForces().
+    Eigen::VectorXd onUnknowns(const geometry::Points& controlForces) const;
+
     /// Positions of the control points at a displacement, n x 3 [m].
     geometry::Points controlPoints(const Eigen::VectorXd& displacement) const {
         return controlPoints_ + controlDisplacements(displacement);

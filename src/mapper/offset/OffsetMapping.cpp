@@ -9,6 +9,8 @@
 #include <Eigen/LU>
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace tokay::mapper {
 
 namespace {
@@ -24,6 +26,25 @@ void checkPlane(const SplineInterface& axis) {
     }
 }
 
+/// Consecutive points are a part; as many as depend on nothing but the points, so that sums over
+/// them are the same with any number of threads.
+int nParts(std::size_t nPoints) {
+    constexpr std::size_t worthAThread = 4096, most = 8;
+    return static_cast<int>(std::clamp<std::size_t>(nPoints / worthAThread, 1, most));
+}
+
+/// Calls visit(part, i) for each point i of each part.
+template <class Visit>
+void forEachPoint(std::size_t nPoints, const Visit& visit) {
+    const std::size_t n = nParts(nPoints);
+#pragma omp parallel for schedule(dynamic, 1) if (n > 1)
+    for (std::size_t part = 0; part < n; ++part) {
+        for (std::size_t i = part * nPoints / n; i < (part + 1) * nPoints / n; ++i) {
+            visit(part, i);
+        }
+    }
+}
+
 } // namespace
 
 OffsetMapping::OffsetMapping(const SplineInterface& axis, const Points& to,
@@ -33,6 +54,7 @@ OffsetMapping::OffsetMapping(const SplineInterface& axis, const Points& to,
     checkPoints(to);
     checkPlane(axis);
     report_.method = "offset points of a beam";
+    attachments_.reserve(to.rows());
     GapStatistics gaps(gapLimit, axis.size());
     for (Eigen::Index i = 0; i < to.rows(); ++i) {
         const Point point = to.row(i);
@@ -41,9 +63,9 @@ OffsetMapping::OffsetMapping(const SplineInterface& axis, const Points& to,
         const SplinePiece& piece = axis.pieces()[found.piece];
         const geometry::CurveBasis basis = piece.curve.basis(found.onCurve.xi, 1);
         const auto first = piece.controlPoints.begin() + basis.first;
-        Eigen::MatrixXd N = Eigen::MatrixXd::Zero(3, basis.N.cols());
+        Eigen::Matrix3Xd N = Eigen::Matrix3Xd::Zero(3, basis.N.cols());
         N.topRows(2) = basis.N;
-        attach(point, {first, first + basis.N.cols()}, std::move(N));
+        attach(point, {first, first + basis.N.cols()}, N);
     }
     finish(gaps, to);
     report_.seconds = watch.seconds();
@@ -55,6 +77,7 @@ OffsetMapping::OffsetMapping(const SurfaceInterface& middle, const Points& to,
     const Stopwatch watch;
     checkPoints(to);
     report_.method = "offset points of a shell";
+    attachments_.reserve(to.rows());
     GapStatistics gaps(gapLimit, middle.size());
     for (Eigen::Index i = 0; i < to.rows(); ++i) {
         const Point point = to.row(i);
@@ -66,14 +89,29 @@ OffsetMapping::OffsetMapping(const SurfaceInterface& middle, const Points& to,
         for (int& number : basis.controlPoints) {
             number = piece.controlPoints[number];
         }
-        attach(point, std::move(basis.controlPoints), std::move(basis.N));
+        attach(point, basis.controlPoints, basis.N);
     }
     finish(gaps, to);
     report_.seconds = watch.seconds();
 }
 
-void OffsetMapping::attach(const Point& point, std::vector<int> controlPoints, Eigen::MatrixXd N) {
-    Attachment attachment{std::move(controlPoints), std::move(N), 0, Eigen::Vector2d::Zero(), {}};
+void OffsetMapping::attach(const Point& point, const std::vector<int>& controlPoints,
+                           const Eigen::Matrix3Xd& N) {
+    const auto last = numbers_.end() - std::min(numbers_.size(), controlPoints.size());
+    if (!std::equal(last, numbers_.end(), controlPoints.begin(), controlPoints.end())) {
+        numbers_.insert(numbers_.end(), controlPoints.begin(), controlPoints.end());
+    }
+    Attachment attachment{numbers_.size() - controlPoints.size(),
+                          functions_.size(),
+                          static_cast<int>(controlPoints.size()),
+                          0,
+                          Eigen::Vector2d::Zero(),
+                          {}};
+    if (functions_.empty()) {
+        // Most have as many, and growing would take twice the memory.
+        functions_.reserve(attachments_.capacity() * N.size());
+    }
+    functions_.insert(functions_.end(), N.data(), N.data() + N.size());
     const Frame frame = frameOf(attachment, controlPoints_);
     if (!(frame.area > 0)) {
         throw InputError(fmt::format("the point at ({:.6g}, {:.6g}, {:.6g}) projects onto a place "
@@ -87,7 +125,7 @@ void OffsetMapping::attach(const Point& point, std::vector<int> controlPoints, E
     attachment.tangential =
         (tangents.transpose() * tangents).inverse() * (tangents.transpose() * offset);
     attachment.reference = position(attachment, frame);
-    attachments_.push_back(std::move(attachment));
+    attachments_.push_back(attachment);
 }
 
 void OffsetMapping::finish(const GapStatistics& gaps, const Points& to) {
@@ -100,18 +138,27 @@ void OffsetMapping::finish(const GapStatistics& gaps, const Points& to) {
         forces.col(2).setZero();
     }
     measureConservation(*this, forces, controlPoints_, to, report_);
-    for (const Attachment& attachment : attachments_) {
-        report_.bytes += static_cast<double>(attachment.N.size()) * sizeof(double) +
-                         static_cast<double>(attachment.controlPoints.size()) * sizeof(int);
-    }
+    report_.bytes = static_cast<double>(functions_.size()) * sizeof(double) +
+                    static_cast<double>(numbers_.size()) * sizeof(int);
 }
 
-Eigen::Matrix3d OffsetMapping::atPoint(const Attachment& attachment, const Points& values) {
-    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-    for (std::size_t j = 0; j < attachment.controlPoints.size(); ++j) {
-        sum += attachment.N.col(j) * values.row(attachment.controlPoints[j]);
+Eigen::Map<const Eigen::Matrix3Xd> OffsetMapping::functions(const Attachment& attachment) const {
+    return {functions_.data() + attachment.firstFunction, 3, attachment.nFunctions};
+}
+
+Eigen::Matrix3d OffsetMapping::atPoint(const Attachment& attachment, const Points& values) const {
+    const Eigen::Map<const Eigen::Matrix3Xd> N = functions(attachment);
+    // Row by row: sums of outer products take a multiple of the time.
+    Point value = Point::Zero(), byXi = value, byEta = value;
+    for (int j = 0; j < attachment.nFunctions; ++j) {
+        const Point here = values.row(controlPoint(attachment, j));
+        value += N(0, j) * here;
+        byXi += N(1, j) * here;
+        byEta += N(2, j) * here;
     }
-    return sum;
+    Eigen::Matrix3d rows;
+    rows << value.transpose(), byXi.transpose(), byEta.transpose();
+    return rows;
 }
 
 OffsetMapping::Frame OffsetMapping::frameOf(const Attachment& attachment,
@@ -145,42 +192,52 @@ Point OffsetMapping::positionVariation(const Attachment& attachment, const Frame
 Points OffsetMapping::moved(const Points& displacements) const {
     const Points current = controlPoints_ + displacements;
     Points result(attachments_.size(), 3);
-    for (std::size_t i = 0; i < attachments_.size(); ++i) {
-        result.row(i) = position(attachments_[i], frameOf(attachments_[i], current)) -
-                        attachments_[i].reference;
-    }
+    forEachPoint(attachments_.size(), [&](std::size_t, std::size_t i) {
+        const Attachment& attachment = attachments_[i];
+        result.row(i) = position(attachment, frameOf(attachment, current)) - attachment.reference;
+    });
     return result;
 }
 
 Points OffsetMapping::variation(const Points& displacements, const Points& variation) const {
     const Points current = controlPoints_ + displacements;
     Points result(attachments_.size(), 3);
-    for (std::size_t i = 0; i < attachments_.size(); ++i) {
+    forEachPoint(attachments_.size(), [&](std::size_t, std::size_t i) {
         const Attachment& attachment = attachments_[i];
         result.row(i) = positionVariation(attachment, frameOf(attachment, current),
                                           atPoint(attachment, variation));
-    }
+    });
     return result;
 }
 
 Points OffsetMapping::forces(const Points& displacements, const Points& forces) const {
     const Points current = controlPoints_ + displacements;
-    Points result = Points::Zero(controlPoints_.rows(), 3);
-    for (std::size_t i = 0; i < attachments_.size(); ++i) {
+    std::vector<Points> ofParts(nParts(attachments_.size()), Points::Zero(current.rows(), 3));
+    forEachPoint(attachments_.size(), [&](std::size_t part, std::size_t i) {
         const Attachment& attachment = attachments_[i];
-        const Frame frame = frameOf(attachment, current);
-        const Point f = forces.row(i);
-        const Point g = attachment.zeta / frame.area * (f - frame.a3 * frame.a3.dot(f));
-        // Work-conjugate to r, a1 and a2.
-        Eigen::Matrix3d conjugate;
-        conjugate.row(0) = f;
-        conjugate.row(1) = frame.a2.cross(g) + attachment.tangential[0] * f;
-        conjugate.row(2) = g.cross(frame.a1) + attachment.tangential[1] * f;
-        for (std::size_t j = 0; j < attachment.controlPoints.size(); ++j) {
-            result.row(attachment.controlPoints[j]) += attachment.N.col(j).transpose() * conjugate;
+        const Eigen::Matrix3d conjugate =
+            conjugateForces(attachment, frameOf(attachment, current), forces.row(i));
+        const Eigen::Map<const Eigen::Matrix3Xd> N = functions(attachment);
+        for (int j = 0; j < attachment.nFunctions; ++j) {
+            ofParts[part].row(controlPoint(attachment, j)) += N(0, j) * conjugate.row(0) +
+                                                              N(1, j) * conjugate.row(1) +
+                                                              N(2, j) * conjugate.row(2);
         }
+    });
+    for (std::size_t part = 1; part < ofParts.size(); ++part) {
+        ofParts[0] += ofParts[part];
     }
-    return result;
+    return ofParts[0];
+}
+
+Eigen::Matrix3d OffsetMapping::conjugateForces(const Attachment& attachment, const Frame& frame,
+                                               const Point& f) {
+    const Point g = attachment.zeta / frame.area * (f - frame.a3 * frame.a3.dot(f));
+    Eigen::Matrix3d conjugate;
+    conjugate.row(0) = f;
+    conjugate.row(1) = frame.a2.cross(g) + attachment.tangential[0] * f;
+    conjugate.row(2) = g.cross(frame.a1) + attachment.tangential[1] * f;
+    return conjugate;
 }
 
 RowSparseMatrix OffsetMapping::derivative(const RowSparseMatrix& shares) const {
@@ -210,13 +267,13 @@ RowSparseMatrix OffsetMapping::derivative(const RowSparseMatrix& shares) const {
 
 void OffsetMapping::appendDerivative(const Attachment& attachment, const Frame& frame,
                                      double weight, Eigen::Index row,
-                                     std::vector<Eigen::Triplet<double>>& entries) {
-    for (std::size_t j = 0; j < attachment.controlPoints.size(); ++j) {
+                                     std::vector<Eigen::Triplet<double>>& entries) const {
+    const Eigen::Map<const Eigen::Matrix3Xd> N = functions(attachment);
+    for (int j = 0; j < attachment.nFunctions; ++j) {
         for (int component = 0; component < 3; ++component) {
             const Point along = weight * Point::Unit(component);
-            const Point change =
-                positionVariation(attachment, frame, attachment.N.col(j) * along.transpose());
-            const int column = 3 * attachment.controlPoints[j] + component;
+            const Point change = positionVariation(attachment, frame, N.col(j) * along.transpose());
+            const int column = 3 * controlPoint(attachment, j) + component;
             for (int k = 0; k < 3; ++k) {
                 entries.emplace_back(3 * row + k, column, change[k]);
             }

@@ -50,9 +50,9 @@ class OffsetMapping : public Mapping {
   private:
     /// A point and the functions at its projection.
     struct Attachment {
-        std::vector<int> controlPoints;
-        /// Rows: functions, derivatives by xi and by eta (zero for a beam).
-        Eigen::Matrix3Xd N;
+        std::size_t firstNumber;   ///< in numbers_
+        std::size_t firstFunction; ///< in functions_
+        int nFunctions;
         double zeta;
         Eigen::Vector2d tangential;
         Point reference; ///< where that is with no displacement
@@ -63,24 +63,37 @@ class OffsetMapping : public Mapping {
         double area;
     };
 
+    /// Columns: functions, rows: their values and derivatives by xi and by eta (zero for a beam).
+    Eigen::Map<const Eigen::Matrix3Xd> functions(const Attachment& attachment) const;
+    int controlPoint(const Attachment& attachment, int function) const {
+        return numbers_[attachment.firstNumber + function];
+    }
     /// @param values  of the control points
     /// @return  rows: their value, derivatives by xi and by eta at the projection
-    static Eigen::Matrix3d atPoint(const Attachment& attachment, const Points& values);
+    Eigen::Matrix3d atPoint(const Attachment& attachment, const Points& values) const;
     static Point position(const Attachment& attachment, const Frame& frame);
     Frame frameOf(const Attachment& attachment, const Points& controlPoints) const;
     /// Derivative of a point's position along variations of its projection's value and
     /// derivatives by xi and by eta, the rows of d.
     static Point positionVariation(const Attachment& attachment, const Frame& frame,
                                    const Eigen::Matrix3d& d);
+    /// Rows: what is work-conjugate to r, a1 and a2, of a force on the point.
+    static Eigen::Matrix3d conjugateForces(const Attachment& attachment, const Frame& frame,
+                                           const Point& f);
     /// Appends a point's derivative, times a weight, from 3 row on.
-    static void appendDerivative(const Attachment& attachment, const Frame& frame, double weight,
-                                 Eigen::Index row, std::vector<Eigen::Triplet<double>>& entries);
-    void attach(const Point& point, std::vector<int> controlPoints, Eigen::MatrixXd N);
+    void appendDerivative(const Attachment& attachment, const Frame& frame, double weight,
+                          Eigen::Index row, std::vector<Eigen::Triplet<double>>& entries) const;
+    void attach(const Point& point, const std::vector<int>& controlPoints,
+                const Eigen::Matrix3Xd& N);
     void finish(const GapStatistics& gaps, const Points& to);
 
     bool isBeam_;
     Points controlPoints_;
     std::vector<Attachment> attachments_;
+    /// Numbers of control points, which neighbours in an element share, and functions: next to
+    /// each other, as an exchange reads all of them.
+    std::vector<int> numbers_;
+    std::vector<double> functions_;
 };
 
 } // namespace tokay::mapper

@@ -52,9 +52,9 @@ SurfaceInterface shell() {
     return SurfaceInterface({{geometry::TrimmedPatch(surface), consecutive(n), "shell"}}, n);
 }
 
-Points aroundShell() {
-    Points points(60, 3);
-    for (int i = 0; i < 60; ++i) {
+Points aroundShell(int n = 60) {
+    Points points(n, 3);
+    for (int i = 0; i < n; ++i) {
         // Beyond the edges too: angles from 0.08 and heights from -0.02.
         const double angle = 0.08 + 1.34 * std::fmod(0.37 * i, 1);
         const double radius = 1 + 0.03 * std::sin(i);
@@ -201,6 +201,26 @@ TEST(OffsetMapping, linearised_to_faces_it_spreads_a_force_over_their_points) {
         const Points mapped = scene.mapping.forces(rest, shares * onFaces);
         EXPECT_LT((linear.forces(rest, onFaces) - mapped).norm(), 1e-13 * mapped.norm());
     }
+}
+
+TEST(OffsetMapping, maps_many_points_at_once_as_it_maps_few) {
+    constexpr int n = 20000, few = 4000; // so many that threads share them, and so few that not
+    const SurfaceInterface middle = shell();
+    const Points points = aroundShell(n), state = deformation(middle.coordinates(), false);
+    const Points variation = probeForces(state.rows()), forces = probeForces(n);
+    const OffsetMapping mapping(middle, points);
+    const Points moved = mapping.moved(state), varied = mapping.variation(state, variation);
+    Points sum = Points::Zero(state.rows(), 3);
+    for (int i = 0; i < n; i += few) {
+        const OffsetMapping part(middle, points.middleRows(i, few));
+        EXPECT_EQ(moved.middleRows(i, few), part.moved(state));
+        EXPECT_EQ(varied.middleRows(i, few), part.variation(state, variation));
+        sum += part.forces(state, forces.middleRows(i, few));
+    }
+    const Points mapped = mapping.forces(state, forces);
+    // The same sums in another order, then in the same order
+    EXPECT_LT((mapped - sum).norm(), 1e-13 * mapped.norm());
+    EXPECT_EQ(mapped, mapping.forces(state, forces));
 }
 
 TEST(OffsetMapping, reports_conservation_and_refuses_points_too_far_away) {
