@@ -208,43 +208,46 @@ class Integration {
     /// destination's barycentric coordinates; the source's are linear in these.
     void integrate(const Piece& piece) {
         const Triangle& destination = piece.destination->triangle;
-        if (!isWithinReach(destination, piece)) {
-            integrateByPoints(destination, piece);
+        const Gap gap = largestGap(piece);
+        if (gap.size > reach_) {
+            integrateByPoints(piece);
             return;
         }
+        gaps_.count(gap.at, gap.size, true, false, piece.overlap.share() * destination.area());
         const Eigen::Matrix3d mass = destination.area() * piece.overlap.moments();
-        enter(piece, true, false, mass, mass * seenFromSource(destination, piece).transpose());
+        enter(piece, true, false, mass);
     }
 
-    /// Counts the corner with the largest gap, which no point of the piece exceeds.
-    bool isWithinReach(const Triangle& destination, const Piece& piece) {
-        double gap = -1;
-        Point corner = Point::Zero();
+    struct Gap {
+        Point at;
+        double size;
+    };
+    /// At a corner: no point between them is farther from the source's plane.
+    static Gap largestGap(const Piece& piece) {
+        Gap largest{Point::Zero(), -1};
         for (int i = 0; i < piece.overlap.nCorners(); ++i) {
-            const Point point = destination.at(piece.overlap.corner(i));
-            const double here = std::abs(piece.height.of(point));
-            if (here > gap) {
-                gap = here;
-                corner = point;
+            const Point corner = piece.destination->triangle.at(piece.overlap.corner(i));
+            const double gap = std::abs(piece.height.of(corner));
+            if (gap > largest.size) {
+                largest = {corner, gap};
             }
         }
-        if (gap > reach_) {
-            return false;
-        }
-        return gaps_.count(corner, gap, true, false, piece.overlap.share() * destination.area());
+        return largest;
     }
 
     /// Column i: the source's barycentric coordinates at the destination's corner i.
-    static Eigen::Matrix3d seenFromSource(const Triangle& destination, const Piece& piece) {
+    static Eigen::Matrix3d seenFromSource(const Piece& piece) {
         Eigen::Matrix3d coordinates;
         for (int i = 0; i < 3; ++i) {
-            coordinates.col(i) = piece.source->triangle.barycentric(destination.corner(i));
+            coordinates.col(i) =
+                piece.source->triangle.barycentric(piece.destination->triangle.corner(i));
         }
         return coordinates;
     }
 
     /// A piece of which a part is out of reach, which then counts as unmatched.
-    void integrateByPoints(const Triangle& destination, const Piece& piece) {
+    void integrateByPoints(const Piece& piece) {
+        const Triangle& destination = piece.destination->triangle;
         Eigen::Matrix3d mass = Eigen::Matrix3d::Zero();
         bool isMatched = false, isUnmatched = false;
         for (int i = 1; i + 1 < piece.overlap.nCorners(); ++i) {
@@ -264,15 +267,13 @@ class Integration {
                 isMatched = true;
             }
         }
-        enter(piece, isMatched, isUnmatched, mass,
-              mass * seenFromSource(destination, piece).transpose());
+        enter(piece, isMatched, isUnmatched, mass);
     }
 
-    void enter(const Piece& piece, bool isMatched, bool isUnmatched, const Eigen::Matrix3d& mass,
-               const Eigen::Matrix3d& cross) {
+    void enter(const Piece& piece, bool isMatched, bool isUnmatched, const Eigen::Matrix3d& mass) {
         if (isMatched) {
             from_.evaluateCorners(piece.source->number, onFrom_);
-            assembler_.add(onTo_, onFrom_, mass, cross);
+            assembler_.add(onTo_, onFrom_, mass, mass * seenFromSource(piece).transpose());
         }
         if (isUnmatched) {
             assembler_.addUnmatched(onTo_.values);
@@ -292,7 +293,7 @@ class Integration {
     MortarAssembler& assembler_;
     GapStatistics& gaps_;
     Rivals rivals_;
-    const geometry::TriangleRule& rule_;
+    const geometry::TriangleRule& rule_; ///< where a piece is out of reach in part
     /// Of the face: its triangles, what each sees, their box, what of the source may lie over
     /// it, and what does.
     std::vector<Candidate> destinations_;
