@@ -83,6 +83,36 @@ TEST(SurfaceMortar, passes_the_patch_test_between_coarse_and_fine_meshes) {
     expectPatchTest(fine, coarse, MortarBasis::standard);
 }
 
+TEST(SurfaceMortar, matches_what_is_within_reach_of_a_destination_that_rises_from_the_source) {
+    const SurfaceMesh from = flatMesh(7, 5, FaceKind::quadrilaterals, ValuesAt::vertices);
+    const SurfaceMesh flat =
+        flatMesh(20, 10, FaceKind::quadrilaterals, ValuesAt::vertices, 2, 1, 3);
+    MortarOptions options;
+    options.gapLimit.refuse = false;
+    options.singular = SingularMass::minimumNorm; // one point may be all that a vertex has
+    // The gap of half of the destination, 2 m long, is larger.
+    const double slope = options.gapLimit.relative * from.size();
+    Points risen = flat.vertices();
+    risen.col(2) = slope * risen.col(0);
+    SurfaceMesh::Faces faces;
+    for (int i = 0; i < 200; ++i) {
+        const int corner = i / 20 * 21 + i % 20;
+        faces.push_back({corner, corner + 1, corner + 22, corner + 21});
+    }
+    const MortarMapping mapping(from, SurfaceMesh(risen, faces, ValuesAt::vertices), options);
+    // A quadrature point stands for a sixth of a piece of the cells that the limit cuts, 0.1 m
+    // long.
+    EXPECT_NEAR(mapping.report().coverage, 0.5, 0.01);
+    EXPECT_GT(mapping.report().largestGap, slope);
+    const Eigen::VectorXd mapped = mapping.apply(Eigen::VectorXd::Ones(from.nValues()));
+    for (Eigen::Index i = 0; i < mapped.size(); ++i) {
+        // Cells are moved by a fifth of their length.
+        if (risen(i, 0) < 0.8 || risen(i, 0) > 1.2) {
+            EXPECT_NEAR(mapped[i], risen(i, 0) < 1 ? 1 : 0, 1e-10) << i;
+        }
+    }
+}
+
 TEST(SurfaceMortar, passes_the_patch_test_on_stretched_meshes) {
     const SurfaceMesh a = flatMesh(5, 6, FaceKind::triangles, ValuesAt::vertices, 1, 1e-3);
     const SurfaceMesh b = flatMesh(8, 3, FaceKind::triangles, ValuesAt::vertices, 1, 1e-3, 4);
