@@ -76,15 +76,18 @@ void EdgeSession::save(const std::vector<double>& displacements, double deltaT) 
     const auto timed = timer_.enter(Phase::output);
     const VectorXd ofEdge = Eigen::Map<const VectorXd>(
         displacements.data(), static_cast<Eigen::Index>(displacements.size()));
+    const MotionState state = moved_.state();
+    const Energies energies = moved_.energies();
     states_.add({case_.digest,
-                 moved_.state(),
-                 moved_.energies(),
+                 state,
+                 energies,
                  edge_.points(),
                  ofEdge,
                  VectorXd::Zero(ofEdge.size()),
                  {}},
                 deltaT);
-    moved_.dropTangent();
+    // The body's own unknowns have been rounded: what follows depends on what is saved alone.
+    moved_.restore(state, energies);
 }
 
 Displacements EdgeSession::exchange(const channel::Message& message) {

@@ -32,10 +32,8 @@ class MovedStructure {
 
     /// Accepted state, in the body's own unknowns.
     MotionState state() const;
-    /// Goes on from such a state, before the first time step.
+    /// Goes on from such a state, between time steps.
     void restore(const MotionState& own, const Energies& energies);
-    /// What follows depends on the state alone: for whoever saves it to go on from there later.
-    void dropTangent() { integrator_.dropTangent(); }
     const Energies& energies() const { return integrator_.energies(); }
 
     /// Newton iterations in this time step.

@@ -14,6 +14,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <mutex>
 #include <tuple>
 
@@ -364,8 +365,14 @@ TEST(EdgeCoupling, a_restarted_run_goes_on_digit_by_digit) {
     options.caseFiles = {left.write(directory, "left"), right.write(directory, "right")};
     const Report silent = [](const std::string&) {};
     runCouple(options, silent);
+    const auto endStates = [&] {
+        return std::array<std::string, 2>{directory.read("results/states/left_0.2.state"),
+                                          directory.read("results/states/right_0.2.state")};
+    };
+    const std::array<std::string, 2> wholeStates = endStates();
     options.restartTime = 0.1;
     runCouple(options, silent);
+    EXPECT_TRUE(endStates() == wholeStates); // all bits, of which tables show twelve digits
     for (const std::string side : {"left", "right"}) {
         const std::string tables = "postProcessing/" + side;
         auto whole = tableRows(directory.read(tables + "/0/watchPoints.dat"));
