@@ -78,14 +78,9 @@ void EdgeSession::save(const std::vector<double>& displacements, double deltaT) 
         displacements.data(), static_cast<Eigen::Index>(displacements.size()));
     const MotionState state = moved_.state();
     const Energies energies = moved_.energies();
-    states_.add({case_.digest,
-                 state,
-                 energies,
-                 edge_.points(),
-                 ofEdge,
-                 VectorXd::Zero(ofEdge.size()),
-                 {}},
-                deltaT);
+    states_.add(
+        {case_.digest, state, energies, edge_.points(), ofEdge, VectorXd::Zero(ofEdge.size()), {}},
+        deltaT);
     // The body's own unknowns have been rounded: what follows depends on what is saved alone.
     moved_.restore(state, energies);
 }
