@@ -445,7 +445,8 @@ TEST(EdgeCoupling, structures_in_two_processes_move_as_in_one) {
     EXPECT_THAT(loaded.output(), HasSubstr("the moved structure ends the run"));
     EXPECT_THAT(moved.output(), HasSubstr("coupling iterations per time step: mean"));
     const auto table = tableRows(directory.read("postProcessing/right/0/watchPoints.dat"));
-    EXPECT_EQ(table, couple(leftPlate(), rightPlate()).right);
+    // On some processors BLAS rounds by where in memory its vectors lie.
+    expectSame(table, couple(leftPlate(), rightPlate()).right, 1e-12);
 }
 
 TEST(EdgeCoupling, a_moved_structure_does_not_run_beside_a_fluid) {
